@@ -4,9 +4,8 @@
 #
 #   ./setup.sh           what the program is built with
 #   ./setup.sh --tests   and what its tests need
-#   ./setup.sh --python  and what the Python package needs, models of simulators too
+#   ./setup.sh --python  and what the Python package needs
 #   ./setup.sh --mpi     and what shares work among machines
-#   ./setup.sh --models  and the parsers that read the models of simulators
 #   ./setup.sh --bench   and what the benchmarks compare with
 #   ./setup.sh --docs    and what writes the documents as a site
 #   ./setup.sh --fuzz    and the compiler of the fuzz targets
@@ -22,23 +21,27 @@ program=(
   libginac-dev
   # command line, formats, text
   libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libcsv-dev libfmt-dev libssl-dev libkainjow-mustache-dev libpugixml-dev
+  # the page of `plumbline serve`
+  libcpp-httplib-dev pkg-config
   # expressions of the effects that users state
   libmuparser-dev
-  # least squares
+  # figures
+  gnuplot-nox
 )
 # what checks the proofs in proofs/coq
 proofs=(coq libcoq-mathcomp-ssreflect libcoq-mathcomp-algebra libcoq-mathcomp-field libcoq-mathcomp-real-closed
         libcoq-mathcomp-zify libcoq-mathcomp-algebra-tactics ocaml-nox ocaml-findlib libzarith-ocaml-dev
         libyojson-ocaml-dev)
 mpi=(openmpi-bin libopenmpi-dev)
+# what judges our reading and writing of simulators' models
 models=(libmujoco-dev libsdformat-dev)
 python=(
   pybind11-dev python3-dev python3-numpy python3-pip python3-setuptools python3-wheel python3-venv
   # what it uses where it finds it, and its notebooks
   python3-pandas python3-matplotlib python3-mpmath jupyter-nbconvert python3-ipykernel
 )
-# the site; figures of the program need gnuplot when it runs
-docs=(doxygen gnuplot-nox)
+# the site: the reference
+docs=(doxygen)
 tests=(
   ccache doctest-dev librapidcheck-dev python3-jsonschema python3-mpmath
   # the simulated bench of the blind trial, and the models of simulators
@@ -53,26 +56,24 @@ tests=(
   "${proofs[@]}"
   # packages and what is installed, as a user meets them
   dpkg-dev man-db zsh
-  # the site, and figures
+  # the site
   "${docs[@]}"
 )
 fuzz=(clang)
-bench=(liblapack-dev libopenblas-dev libspectra-dev libflint-dev libflint-arb-dev phcpack python3-scipy auto-07p gfortran
-       gnuplot-nox)
+bench=(liblapack-dev libopenblas-dev libspectra-dev libflint-dev libflint-arb-dev phcpack python3-scipy auto-07p gfortran)
 
 packages=("${program[@]}")
 case "${1:-}" in
   "") ;;
   --tests) packages+=("${tests[@]}") ;;
-  --python) packages+=("${python[@]}" "${models[@]}") ;;
+  --python) packages+=("${python[@]}") ;;
   --mpi) packages+=("${mpi[@]}") ;;
-  --models) packages+=("${models[@]}") ;;
   --bench) packages+=("${bench[@]}") ;;
   --docs) packages+=("${docs[@]}") ;;
   --fuzz) packages+=("${fuzz[@]}") ;;
   --proofs) packages+=("${proofs[@]}") ;;
   *)
-    echo "setup: found $1, expected nothing, --tests, --python, --mpi, --models, --bench, --docs, --fuzz or --proofs" >&2
+    echo "setup: found $1, expected nothing, --tests, --python, --mpi, --bench, --docs, --fuzz or --proofs" >&2
     exit 2
     ;;
 esac

@@ -10,15 +10,20 @@
 namespace plumbline::app {
 namespace {
 
-exchange::PlanarChain chain_in(const std::string& file) {
+struct ChainOptions {
+  std::string file;
+  std::vector<std::string> joints;
+};
+
+exchange::PlanarChain chain_in(const ChainOptions& options) {
   const Progress progress("chain", 0);
-  return exchange::read_model(file);
+  return exchange::read_model(options.file, options.joints);
 }
 
-void run(const std::string& file) {
-  const exchange::PlanarChain read = chain_in(file);
+void run(const ChainOptions& options) {
+  const exchange::PlanarChain read = chain_in(options);
   exchange::Model model{
-      "The planar elastic chain of " + std::filesystem::path(file).filename().string(), {}, {}, {}};
+      "The planar elastic chain of " + std::filesystem::path(options.file).filename().string(), {}, {}, {}};
   static_cast<diagnose::NominalChain&>(model.experiment) = read.chain;
   std::string notes;
   for (const std::string& note : read.notes) notes += "# " + note + "\n";
@@ -28,13 +33,18 @@ void run(const std::string& file) {
 }  // namespace
 
 void add_chain(CLI::App& app) {
-  CLI::App* verb =
-      app.add_subcommand("chain", "The planar elastic chain of a simulator's model, as our TOML");
-  const auto file = std::make_shared<std::string>();
-  verb->add_option("model", *file, "A model: .xml (MJCF), .urdf, .sdf, or .toml")
+  CLI::App* verb = app.add_subcommand(
+      "chain", "The planar elastic chain of a simulator's model, as our TOML, which all other verbs read");
+  const auto options = std::make_shared<ChainOptions>();
+  verb->add_option("model", options->file, "A model: .xml (MJCF), .urdf, .sdf, or .toml")
       ->type_name("FILE")
       ->required();
-  verb->callback([file] { run(*file); });
+  verb->add_option("--joints", options->joints,
+                   "The joints that make the chain, by the names of the model, with commas between them; the "
+                   "others are held where the model draws them. Without it: all")
+      ->type_name("NAMES")
+      ->delimiter(',');
+  verb->callback([options] { run(*options); });
 }
 
 }  // namespace plumbline::app

@@ -13,6 +13,7 @@
 #include "proofs/certificates/certificate.hpp"
 #include "proofs/certificates/equilibria_certificate.hpp"
 #include "proofs/certificates/path_certificate.hpp"
+#include "proofs/certificates/structure_certificate.hpp"
 #include "support/files/json_file.hpp"
 #include "support/files/text_file.hpp"
 #include "verify/reference/agreement.hpp"
@@ -38,7 +39,8 @@ void refuse_certificates(const std::string& text, const std::string& path) {
   const auto format = document.find("format");
   for (const auto& [name, checker] : {std::pair{proofs::critical_certificates, "check_certificates.py"},
                                       std::pair{proofs::equilibria_certificates, "check_equilibria.py"},
-                                      std::pair{proofs::path_certificates, "check_paths.py"}}) {
+                                      std::pair{proofs::path_certificates, "check_paths.py"},
+                                      std::pair{proofs::structure_certificates, "check_structures.py"}}) {
     if (format == document.end() || *format != name) continue;
     throw Error(
         path, "certificates",
@@ -60,7 +62,7 @@ Chains read_chains(const std::string& path) {
   }
   const ChainTable table = parse_chain_table(files::read_text(path), files::source_name(path));
   refuse(table.errors);
-  for (const NamedChain& entry : table.chains) chains.emplace(entry.name, entry.chain);
+  for (const NamedStructure& entry : table.chains) chains.emplace(entry.name, entry.structure.chain);
   return chains;
 }
 

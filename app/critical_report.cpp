@@ -4,8 +4,9 @@
 
 #include <algorithm>
 
-#include "support/files/csv_file.hpp"
+#include "app/structure_file.hpp"
 #include "proofs/exact/decimal.hpp"
+#include "support/files/csv_file.hpp"
 
 namespace plumbline::app {
 namespace {
@@ -55,19 +56,60 @@ std::string angles(std::size_t number, const proofs::CriticalMode& mode) {
   return text + fmt::format("   Fy {}\n", proofs::to_decimal(mode.fy, 4));
 }
 
+std::string name_of(proofs::Motion motion) {
+  return motion == proofs::Motion::divergence ? "divergence" : "flutter";
+}
+
+/// What the force of a chain of bars says of the rod.
+std::string as_rod(const CriticalModes& result, const std::string& factor) {
+  if (!result.beam) return "";
+  const Rational force = *proofs::parse_decimal(factor), bar = result.beam->bar;
+  const Rational length = bar * result.data.chain.size();
+  const Rational in_EI = force * length * length / result.beam->EI;
+  std::string text = fmt::format("In E I / length^2: {}\n", proofs::to_decimal(in_EI, 10));
+  if (!has_unit_compression(result.data)) return text;
+  const Rational share = force * bar * bar / (12 * result.beam->EI);
+  return text +
+         fmt::format(
+             "The rod: {}, by force (1 + e), e = force bar^2 / (12 E I) = {}, which these links lack\n",
+             proofs::to_decimal(Rational(force * (1 + share)), 6), proofs::to_decimal(share, 2));
+}
+
+std::string heading(const CriticalModes& result) {
+  return fmt::format("{}: {} links, {}\n  lengths    {}\n  stiffness  {}\n", result.chain,
+                     result.data.chain.size(), case_of(result.data), listing(result.data.chain.length()),
+                     listing(result.data.chain.stiffness()));
+}
+
+/// What a structure under a load that follows it does.
+std::string loss_text(const CriticalModes& result) {
+  const proofs::StabilityLoss& loss = *result.loss;
+  const bool flutter = loss.kind == proofs::Motion::flutter;
+  return heading(result) +
+         fmt::format("  masses     {} (at the far ends of the links{})\n\n", listing(masses_of(result.data)),
+                     result.data.mass.empty() ? ": half a link's length at either end of each" : "") +
+         fmt::format("Critical factor of the loads {}: {}\n", loss.factor,
+                     flutter ? "flutter, two frequencies of small motion meet"
+                             : "divergence, a frequency of small motion is zero") +
+         as_rod(result, loss.factor) +
+         (loss.first ? "Proved: the straight line is stable at every smaller factor, and not above.\n"
+                     : "Proved: stable a little below and not above. Smaller factors were tried in steps.\n");
+}
+
 }  // namespace
 
 std::string as_text(const CriticalModes& result) {
+  if (result.loss) return loss_text(result);
   std::size_t wide = 14, shape = 7;
   for (const proofs::CriticalMode& mode : result.modes) {
     wide = std::max(wide, mode.force.size() + 2);
     shape = std::max(shape, shape_name(mode.signs).size() + 2);
   }
-  std::string text =
-      fmt::format("{}: {} links\n  lengths    {}\n  stiffness  {}\n\n", result.chain, result.data.size(),
-                  listing(result.data.length()), listing(result.data.stiffness()));
-  text += fmt::format("Critical force {}, shape {}\n\n", result.modes[0].force,
-                      shape_name(result.modes[0].signs));
+  std::string text = heading(result) + "\n";
+  text += fmt::format("Critical {} {}, shape {}\n\n",
+                      has_unit_compression(result.data) ? "force" : "factor of the loads",
+                      result.modes[0].force, shape_name(result.modes[0].signs));
+  if (result.beam) text.insert(text.size() - 1, as_rod(result, result.modes[0].force));
   text +=
       fmt::format("mode  {:<{}}{:<22}{:<{}}{}\n", "force", wide, "energy factor", "shape", shape, "signs");
   for (std::size_t m = 0; m < result.modes.size(); ++m) {
@@ -77,7 +119,7 @@ std::string as_text(const CriticalModes& result) {
   }
   text += "\nmode  joint angles q1 ... qn and lateral force Fy, up to a common factor\n";
   for (std::size_t m = 0; m < result.modes.size(); ++m) text += angles(m + 1, result.modes[m]);
-  const std::size_t more = result.data.size() - 1 - result.modes.size();
+  const std::size_t more = result.all - result.modes.size();
   if (more > 0) text += fmt::format("\n{} more modes: --all\n", more);
   return text;
 }
@@ -91,11 +133,66 @@ std::string as_text(const std::vector<CriticalModes>& results) {
   std::string text = fmt::format("{:<{}}  links  mode  {:<{}}  shape\n", "chain", name, "force", force);
   for (const CriticalModes& result : results) {
     for (std::size_t m = 0; m < result.modes.size(); ++m) {
-      text += fmt::format("{:<{}}  {:5}  {:4}  {:<{}}  {}\n", result.chain, name, result.data.size(), m + 1,
-                          result.modes[m].force, force, shape_name(result.modes[m].signs));
+      text += fmt::format("{:<{}}  {:5}  {:4}  {:<{}}  {}\n", result.chain, name, result.data.chain.size(),
+                          m + 1, result.modes[m].force, force, shape_name(result.modes[m].signs));
     }
   }
   return text;
+}
+
+std::string as_text(const SpaceModes& result) {
+  std::string text = fmt::format("{}: {} links {}\n\nCritical factor of the loads {}\n\nmode  factor\n",
+                                 result.chain, result.links, result.words, result.modes[0].force);
+  for (std::size_t m = 0; m < result.modes.size(); ++m)
+    text += fmt::format("{:4}  {}\n", m + 1, result.modes[m].force);
+  text += "\nmode  angles about all axes, joint by joint, up to a common factor\n";
+  for (std::size_t m = 0; m < result.modes.size(); ++m) {
+    text += fmt::format("{:4}", m + 1);
+    for (const double q : result.modes[m].q) text += fmt::format(" {:8.4f}", q);
+    text += "\n";
+  }
+  const std::size_t more = result.all - result.modes.size();
+  if (more > 0) text += fmt::format("\n{} more modes: --all\n", more);
+  return text;
+}
+
+std::string as_csv(const SpaceModes& result) {
+  std::string text = "chain,mode,force\n";
+  for (std::size_t m = 0; m < result.modes.size(); ++m)
+    text += fmt::format("{},{},{}\n", files::csv_field(result.chain), m + 1, result.modes[m].force);
+  return text;
+}
+
+nlohmann::ordered_json as_json(const SpaceModes& result, int digits) {
+  nlohmann::ordered_json modes = nlohmann::ordered_json::array();
+  for (std::size_t m = 0; m < result.modes.size(); ++m)
+    modes.push_back({{"mode", m + 1}, {"force", result.modes[m].force}, {"q", result.modes[m].q}});
+  nlohmann::ordered_json chain{{"chain", result.chain},
+                               {"links", result.links},
+                               {"case", result.words},
+                               {"digits", digits},
+                               {"modes_in_space", modes}};
+  return {{"chains", {chain}}, {"errors", nlohmann::ordered_json::array()}};
+}
+
+std::string as_text(const SpaceTorque& result) {
+  return fmt::format(
+      "{}: {} links {}\n\nCritical torque {}\n{}\n", result.chain, result.links, result.words, result.torque,
+      result.conservative
+          ? "The torque has an energy here: the straight line is stable below, and not above."
+          : "The torque has no energy here: below, the straight line has no bent equilibrium beside it, but "
+            "whether it\nflutters depends on masses.");
+}
+
+std::string as_csv(const SpaceTorque& result) {
+  return fmt::format("chain,mode,force\n{},1,{}\n", files::csv_field(result.chain), result.torque);
+}
+
+nlohmann::ordered_json as_json(const SpaceTorque& result, int digits) {
+  nlohmann::ordered_json chain{{"chain", result.chain},   {"links", result.links},
+                               {"case", result.words},    {"digits", digits},
+                               {"torque", result.torque}, {"conservative", result.conservative}};
+  return {{"chains", {chain}}, {"errors", nlohmann::ordered_json::array()}};
 }
 
 std::string as_csv(const std::vector<CriticalModes>& results) {
@@ -103,6 +200,7 @@ std::string as_csv(const std::vector<CriticalModes>& results) {
   for (const CriticalModes& result : results) {
     for (std::size_t m = 0; m < result.modes.size(); ++m)
       text += fmt::format("{},{},{}\n", files::csv_field(result.chain), m + 1, result.modes[m].force);
+    if (result.loss) text += fmt::format("{},1,{}\n", files::csv_field(result.chain), result.loss->factor);
   }
   return text;
 }
@@ -122,10 +220,21 @@ nlohmann::ordered_json as_json(const std::vector<CriticalModes>& results,
                        {"q", mode.q},
                        {"fy", proofs::to_decimal(mode.fy, 15)}});
     }
-    chains.push_back({{"chain", result.chain},
-                      {"links", result.data.size()},
-                      {"digits", digits},
-                      {"modes", std::move(modes)}});
+    nlohmann::ordered_json chain{{"chain", result.chain},
+                                 {"links", result.data.chain.size()},
+                                 {"case", case_of(result.data)},
+                                 {"digits", digits}};
+    if (result.loss) {
+      nlohmann::ordered_json masses = nlohmann::ordered_json::array();
+      for (const Rational& mass : masses_of(result.data)) masses.push_back(proofs::to_exact(mass));
+      chain["loss"] = {{"factor", result.loss->factor},
+                       {"kind", name_of(result.loss->kind)},
+                       {"masses", std::move(masses)},
+                       {"first", result.loss->first}};
+    } else {
+      chain["modes"] = std::move(modes);
+    }
+    chains.push_back(std::move(chain));
   }
   return {{"chains", std::move(chains)}, {"errors", errors}};
 }

@@ -141,8 +141,8 @@ void add_diagnose(CLI::App& app) {
   auto* plan = verb->add_flag(
       "--plan", options->plan,
       "Before any data, from experiment.toml, whose runs may be without samples or hold commands "
-      "alone: which effects the bench can never see, which it can never tell apart, and the fewest "
-      "runs that separate the rest");
+      "alone: which effects the bench cannot detect, which it cannot distinguish, and the fewest "
+      "runs that distinguish the rest");
   for (CLI::Option* other : {corrected, html, reports, next, as_is}) plan->excludes(other);
   verb->footer(
       "Exit status 1 when one of several experiments could not be diagnosed; the others are reported.");

@@ -11,11 +11,11 @@
 #include "app/progress.hpp"
 #include "app/verbs.hpp"
 #include "proofs/census/census_task.hpp"
-#include "proofs/exact/certain_digits.hpp"
-#include "proofs/certificates/certificate.hpp"
-#include "proofs/exact/decimal.hpp"
-#include "proofs/certificates/equilibria_certificate.hpp"
 #include "proofs/census/found_equilibria.hpp"
+#include "proofs/certificates/certificate.hpp"
+#include "proofs/certificates/equilibria_certificate.hpp"
+#include "proofs/exact/certain_digits.hpp"
+#include "proofs/exact/decimal.hpp"
 #include "proofs/exact/span.hpp"
 
 namespace plumbline::app {
@@ -27,6 +27,8 @@ struct EquilibriaOptions {
   std::string json, certificate;
   bool certify = false;
   int digits = 12, turns = 0;
+  std::string factor_text;  ///< exact
+  double factor = 0;
 };
 
 /// One equilibrium as decimals.
@@ -234,6 +236,38 @@ nlohmann::ordered_json answer_json(const Answer& answer, const EquilibriaOptions
       {"equilibria", list},           {"undecided", answer.undecided}};
 }
 
+/// The certified census of a planar chain whose file says of other ends and loads.
+void run_census(const EquilibriaOptions& options, Outputs& outputs, files::OutputFile* json) {
+  if (!options.chain.structure) throw Error("--certify", "a chain in space", "a chain in the plane");
+  const auto factor = proofs::parse_decimal(options.factor_text);
+  const Progress progress("census", 0);
+  const auto census = proofs::take_census(*options.chain.structure, *factor, options.turns);
+  const NamedModel& chain = *options.chain.other;
+  if (json) json->write(page::json_text(as_json(chain, options.factor, census), outputs.provenance()));
+  outputs.commit();
+  if (!json) fmt::print("{}", as_text(chain, options.factor, census));
+  if (!census.complete()) throw CLI::RuntimeError(1);
+}
+
+/// Of a chain whose file says of other ends and loads, at a factor of these.
+void run_other(const EquilibriaOptions& options, Outputs& outputs, files::OutputFile* json) {
+  if (!options.at.empty() || !options.place.empty() || !options.force.empty() || options.factor == 0)
+    throw Error(options.chain.path, "ends and loads of its own", "--factor F: its loads times F");
+  if (!options.certificate.empty())
+    throw Error("--certificate", "a chain with ends and loads of its own",
+                "--certify alone: no file of such proofs");
+  if (options.certify) return run_census(options, outputs, json);
+  constexpr std::size_t starts = 2000;
+  constexpr double half_turn = 3.1415926535897932;
+  const NamedModel& chain = *options.chain.other;
+  const Progress progress("equilibria", 0);
+  const auto found =
+      proofs::find_equilibria(chain.model, options.factor, starts, (1 + 2 * options.turns) * half_turn, 1);
+  if (json) json->write(page::json_text(as_json(chain, options.factor, found), outputs.provenance()));
+  outputs.commit();
+  if (!json) fmt::print("{}", as_text(chain, options.factor, found, starts));
+}
+
 void run(EquilibriaOptions options, const CLI::App& verb) {
   Outputs outputs(verb, {options.chain.path});
   files::OutputFile *const json = outputs.open("--json", options.json), *const certificate =
@@ -241,6 +275,10 @@ void run(EquilibriaOptions options, const CLI::App& verb) {
                                                                                          options.certificate);
   options.certify = options.certify || certificate;
   options.chain.read();
+  if (options.chain.other) return run_other(options, outputs, json);
+  if (options.factor != 0)
+    throw Error("--factor", "a chain with the ends and loads of the paper",
+                "--at or --force, or loads in its file");
   const proofs::CensusTask task = task_of(options);
   const Answer answer = answer_of(options, task);
   if (json) json->write(page::json_text(answer_json(answer, options, task), outputs.provenance()));
@@ -268,13 +306,20 @@ void add_equilibria(CLI::App& app) {
   pair("--force", options->force, "FX,FY", "Instead: a force on the end point; compression has FX < 0")
       ->excludes(at)
       ->excludes(place);
+  verb->add_option("--factor", options->factor_text,
+                   "Where the file says of other ends and loads: its loads times F")
+      ->type_name("F")
+      ->check(number())
+      ->excludes(at)
+      ->excludes(place);
   verb->add_flag("--certify", options->certify,
                  "Prove by interval arithmetic that the list is complete: under a force among all joint "
                  "angles, with the "
                  "end point held among those in the window that is printed. Exit status 1 where something "
                  "stays undecided");
-  add_output(*verb, "--certificate", options->certificate,
-             "Write that proof so that proofs/certificates/check_equilibria.py checks it with integers alone");
+  add_output(
+      *verb, "--certificate", options->certificate,
+      "Write that proof so that proofs/certificates/check_equilibria.py checks it with integers alone");
   verb->add_option(
           "--turns", options->turns,
           "With the end point held: count also shapes whose joints are wound up by so many full turns "
@@ -291,7 +336,10 @@ void add_equilibria(CLI::App& app) {
       "Type: the number in brackets counts the directions in which the energy falls, with the end point held "
       "or "
       "under the dead force.");
-  verb->callback([options, verb] { run(*options, *verb); });
+  verb->callback([options, verb] {
+    if (!options->factor_text.empty()) options->factor = std::stod(options->factor_text);
+    run(*options, *verb);
+  });
 }
 
 }  // namespace plumbline::app

@@ -3,6 +3,9 @@
 #include <filesystem>
 
 #include "app/chain_file.hpp"
+#include "app/model_chain.hpp"
+#include "app/space_file.hpp"
+#include "app/structure_file.hpp"
 #include "support/files/printable.hpp"
 #include "support/files/text_file.hpp"
 
@@ -19,21 +22,37 @@ void LoadedChain::add_to(CLI::App& verb) {
   verb.add_option(
           "chain", path,
           "CHAIN.toml with the lists lengths, stiffness and rest (the joint angles of the unloaded shape; a "
-          "passive base joint begins at its own), or - for standard input. Without it: the four-link Z-chain "
-          "of the paper's Table 1")
+          "passive base joint begins at its own), and ends and loads, or joints in space, where they are not "
+          "the paper's; or - for standard input, or a simulator's model (.xml, .urdf, .sdf). Without it: the "
+          "four-link Z-chain of the paper's Table 1")
       ->type_name("FILE");
 }
 
 void LoadedChain::read() {
   if (path.empty()) {
-    exact = parse_chain(table1_z, name);
+    exact = parse_structure(table1_z, name).structure.chain;
     return;
   }
   const bool piped = files::is_standard_input(path);
-  if (!piped && std::filesystem::path(path).extension() != ".toml" && !std::filesystem::is_directory(path))
-    throw Error(path, "a name that does not end in .toml", "CHAIN.toml");
-  exact = parse_chain(files::read_text(path), files::source_name(path));
+  if (!piped && !names_chain_file(path) && !std::filesystem::is_directory(path))
+    throw Error(path, "a name that ends otherwise", "CHAIN.toml, or a model: .xml (MJCF), .urdf, .sdf");
+  const std::string text = read_chain_text(path), source = files::source_name(path);
   name = piped ? "chain" : files::printable(std::filesystem::path(path).stem().string());
+  if (is_space_chain(text, source)) {
+    const SpaceCase space = parse_space_chain(text, source);
+    other.emplace(NamedModel{name, space.words, bent_structure(space)});
+    return;
+  }
+  const NamedStructure read = parse_structure(text, source);
+  exact = read.structure.chain;
+  if (read.plain) return;
+  structure = read.structure;
+  try {
+    other.emplace(
+        NamedModel{name, case_of(read.structure), bent_structure(from_rational<double>(read.structure))});
+  } catch (const Error& error) {
+    throw Error(source + ": " + error.what());
+  }
 }
 
 }  // namespace plumbline::app

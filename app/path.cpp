@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "app/arguments.hpp"
@@ -20,7 +21,7 @@ namespace {
 
 struct PathOptions {
   LoadedChain chain;
-  double to = 0, dy = 0, step = 0.005;
+  double to = 0, dy = 0, step = 0.005, factor = 0;
   std::vector<double> force;
   std::string branches = "stable", csv, json, svg, certificate;
   int side = 1, digits = 0;
@@ -64,6 +65,24 @@ std::string certificate_of(const PathOptions& options, const proofs::JoinedBranc
          "\n";
 }
 
+/// The path of a chain whose file says of other ends and loads: as the factor of these grows.
+void run_other(const PathOptions& options, Outputs& outputs, files::OutputFile* csv,
+               files::OutputFile* json) {
+  if (options.factor == 0)
+    throw Error(options.chain.path, "ends and loads of its own",
+                "--factor F: its loads grow from 0 to F times");
+  const proofs::StructureTask task{options.factor, std::max(options.step, 0.005), options.side};
+  const NamedModel& chain = *options.chain.other;
+  const Progress progress("path", 0);
+  const proofs::StructurePath path = options.branches == "stable" ? proofs::follow_slowly(chain.model, task)
+                                                                  : proofs::follow_all(chain.model, task);
+  for (const std::string& warning : path.warnings) complain("warning: " + warning);
+  if (csv) csv->write(as_csv(chain, path));
+  if (json) json->write(page::json_text(as_json(chain, path), outputs.provenance()));
+  outputs.commit();
+  if (!csv && !json) fmt::print("{}", as_text(chain, path));
+}
+
 void run(PathOptions options, const CLI::App& verb) {
   Outputs outputs(verb, {options.chain.path});
   files::OutputFile *const csv = outputs.open("--csv", options.csv),
@@ -72,6 +91,16 @@ void run(PathOptions options, const CLI::App& verb) {
                            *const certificate = outputs.open("--certificate", options.certificate);
   options.certify = options.certify || certificate;
   options.chain.read();
+  if (options.chain.other) {
+    if (svg || certificate || options.certify || options.digits > 0 || !options.force.empty() ||
+        options.to != 0.5)
+      throw Error(options.chain.path, "ends and loads of its own",
+                  "--factor, --branches, --side, --step, --csv and --json alone");
+    return run_other(options, outputs, csv, json);
+  }
+  if (options.factor != 0)
+    throw Error("--factor", "a chain with the ends and loads of the paper",
+                "--to or --force, or loads in its file");
   const proofs::PathTask task =
       proofs::path_task(options.chain.exact, load_of(options), options.step, options.side);
   const auto [report, located, certified] = follow(options, task);
@@ -114,6 +143,14 @@ void add_path(CLI::App& app) {
       ->check(number())
       ->delimiter(',')
       ->expected(2)
+      ->excludes(to)
+      ->excludes(dy);
+  verb->add_option(
+          "--factor", options->factor,
+          "Where the file says of other ends and loads: let its loads grow from 0 to F times what stands "
+          "there")
+      ->type_name("F")
+      ->check(number())
       ->excludes(to)
       ->excludes(dy);
   verb->add_option("--branches", options->branches,

@@ -23,7 +23,7 @@ struct ReferenceOptions {
   [[nodiscard]] verify::ReferenceWish wish() const {
     return {compact ? verify::ReferenceSize::compact : verify::ReferenceSize::full, seed, random};
   }
-  /// That gives the same set again.
+  /// The command that reproduces the set.
   [[nodiscard]] std::string command() const {
     return fmt::format("plumbline reference{}{} --seed {} --out DIR", compact ? " --compact" : "",
                        random > 0 ? fmt::format(" --random {}", random) : "", seed);
@@ -43,7 +43,7 @@ void run(const ReferenceOptions& options, const CLI::App& verb) {
   const verify::ReferenceValues values =
       verify::reference_values(options.wish(), compute(options, unfinished));
   const auto texts = verify::reference_files(
-      values.entries, values.loaded,
+      values.entries, values.loaded, values.structures,
       {options.command(), "plumbline " PLUMBLINE_VERSION, std::to_string(options.seed)});
   Outputs outputs(verb, {});
   for (const verify::NamedText& text : texts)

@@ -45,7 +45,7 @@ std::string make(const std::string&) {
 }
 #endif
 
-/// Whoever knows the seed can make the experiments and their labels again, and therefore may the salts.
+/// The seed determines the experiments and their labels, so the salts may depend on it.
 std::string secret_of(BlindTrial which, std::uint64_t seed) {
   return fmt::format("plumbline {} trial {}", word(which), seed);
 }

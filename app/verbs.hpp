@@ -15,9 +15,11 @@ void add_check_experiment(CLI::App& app);
 void add_critical(CLI::App& app);
 void add_equilibria(CLI::App& app);
 void add_figure(CLI::App& app);
+void add_new(CLI::App& app);
 void add_path(CLI::App& app);
 void add_reference(CLI::App& app);
 void add_diagnose(CLI::App& app);
+void add_serve(CLI::App& app);
 void add_trial(CLI::App& app);
 void add_verify(CLI::App& app);
 

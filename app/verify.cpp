@@ -22,7 +22,7 @@ namespace plumbline::app {
 namespace {
 
 struct VerifyOptions {
-  std::string section, claim, json, html, errata, unfinished;
+  std::string folder, section, claim, json, html, errata, unfinished;
   int precision = 50;
   std::size_t chains = 0;
   std::uint64_t seed = 1;
@@ -32,13 +32,36 @@ bool with_colour() {
   return terminal_columns(1) > 0 && std::getenv("NO_COLOR") == nullptr;
 }
 
-/// The whole paper's, for the page.
-std::vector<verify::DrawnFigure> draw_figures(const std::vector<verify::Judged>& judged) {
+/// What is read of a paper's folder; nothing where there is none.
+std::vector<std::filesystem::path> files_of(const std::string& folder) {
+  std::vector<std::filesystem::path> list;
+  if (folder.empty() || !std::filesystem::is_directory(folder)) return list;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    if (entry.path().extension() == ".toml") list.push_back(entry.path());
+  std::sort(list.begin(), list.end());
+  return list;
+}
+
+/// The paper of a folder, or the one that the program was made for.
+const verify::Paper& paper_of(const VerifyOptions& options) {
+  if (options.folder.empty()) return verify::checked_paper();
+  static const verify::Paper given = verify::with_checks(verify::read_paper_folder(options.folder));
+  return given;
+}
+
+/// The whole paper's, for the page; none where they cannot be drawn, and then why.
+std::vector<verify::DrawnFigure> draw_figures(const std::vector<verify::Judged>& judged,
+                                              std::string& problem) {
   std::vector<verify::DrawnFigure> drawn;
   Progress progress("figures", verify::figures().size());
   for (const verify::Figure& figure : verify::figures()) {
-    drawn.push_back({figure.number, figure.title, verify::verdicts_about(figure, judged),
-                     page::as_svg(figure.draw(), figure.columns)});
+    try {
+      drawn.push_back({figure.number, figure.title, verify::verdicts_about(figure, judged),
+                       page::as_svg(figure.draw(), figure.columns)});
+    } catch (const Error& error) {
+      problem = error.what();
+      return {};
+    }
     progress.advance();
   }
   return drawn;
@@ -54,7 +77,7 @@ std::vector<verify::Judged> judge_random_chains(const VerifyOptions& options,
 }
 
 void run(const VerifyOptions& options, const CLI::App& verb) {
-  Outputs outputs(verb, {});
+  Outputs outputs(verb, files_of(options.folder));
   const std::string form = std::filesystem::path(options.errata).extension();
   if (!options.errata.empty() && form != ".md" && form != ".tex")
     throw Error("--errata", options.errata, "a file that ends in .md or .tex");
@@ -65,9 +88,12 @@ void run(const VerifyOptions& options, const CLI::App& verb) {
   if (!options.unfinished.empty())
     unfinished.emplace(options.unfinished,
                        fmt::format("plumbline verify --chains {} --seed {}", options.chains, options.seed));
-  const std::vector<verify::Claim> claims = verify::in_section(verify::all_claims(), options.section);
+  const verify::Paper& paper = paper_of(options);
+  const std::vector<verify::Claim> claims = verify::in_section(paper.claims, options.section);
   const bool one = !options.claim.empty();
-  const std::vector<verify::Claim> chosen = one ? verify::with_id(claims, options.claim) : claims;
+  std::vector<verify::Claim> all = claims;
+  if (one) all.insert(all.end(), paper.facts.begin(), paper.facts.end());
+  const std::vector<verify::Claim> chosen = one ? verify::with_id(all, options.claim) : claims;
   std::vector<verify::Judged> judged;
   {
     Progress progress("claims", chosen.size());
@@ -80,28 +106,36 @@ void run(const VerifyOptions& options, const CLI::App& verb) {
   const page::Provenance& from = outputs.provenance();
   if (json) json->write(page::json_text({{"claims", as_json(judged)}}, from));
   if (html) {
-    const bool whole = !one && options.section.empty();
-    const auto figures = whole ? draw_figures(judged) : std::vector<verify::DrawnFigure>{};
-    html->write(page::on_page(verify::as_html(judged, figures), from));
+    const bool whole = !one && options.section.empty() && options.folder.empty();
+    std::string problem;
+    const auto figures = whole ? draw_figures(judged, problem) : std::vector<verify::DrawnFigure>{};
+    if (!problem.empty()) fmt::print(stderr, "plumbline: the page has no figures: {}\n", problem);
+    html->write(page::on_page(verify::as_html(paper, judged, figures), from));
   }
   if (errata)
-    errata->write(form == ".md" ? page::in_markdown(verify::errata_as_markdown(judged), from)
-                                : page::in_latex(verify::errata_as_latex(judged), from));
+    errata->write(form == ".md" ? page::in_markdown(verify::errata_as_markdown(paper, judged), from)
+                                : page::in_latex(verify::errata_as_latex(paper, judged), from));
   outputs.commit();
   if (unfinished) unfinished->finish();
   if (!json && !html && !errata)
     fmt::print("{}", one ? verify::as_detail(judged.front(), with_colour())
-                         : verify::as_table(judged, {with_colour(), terminal_columns(1)}));
-  if (std::any_of(judged.begin(), judged.end(), [](const verify::Judged& j) { return !j.judgement; })) {
-    throw CLI::RuntimeError(1);
-  }
+                         : verify::as_table(paper, judged, {with_colour(), terminal_columns(1)}));
+  const std::vector<std::string> problems =
+      errata ? verify::errata(paper, judged).problems() : std::vector<std::string>{};
+  for (const std::string& problem : problems) fmt::print(stderr, "plumbline: not held: {}\n", problem);
+  const bool open =
+      std::any_of(judged.begin(), judged.end(), [](const verify::Judged& j) { return !j.judgement; });
+  if (open || !problems.empty()) throw CLI::RuntimeError(1);
 }
 
 }  // namespace
 
 void add_verify(CLI::App& app) {
-  CLI::App* verb = app.add_subcommand("verify", "Every claim of the paper, judged, with the evidence");
+  CLI::App* verb =
+      app.add_subcommand("verify", "Every claim of the paper, or of another, judged, with the evidence");
   const auto options = std::make_shared<VerifyOptions>();
+  verb->add_option("paper", options->folder, "Another paper on chains: the folder that states its claims")
+      ->type_name("PAPER");
   verb->add_option("--section", options->section, "Only the claims of one section, such as 4.1")
       ->type_name("S");
   verb->add_option("--claim", options->claim, "Everything about one claim")
@@ -131,7 +165,9 @@ void add_verify(CLI::App& app) {
   verb->footer(
       "A refuted claim of the paper is a finding, not a failure: the exit status is 1 only when a claim "
       "could not "
-      "be judged, two number types disagree, or a random chain contradicts a theorem.");
+      "be judged, nothing holds what an erratum says, two number types disagree, or a random chain "
+      "contradicts a "
+      "theorem.");
   verb->callback([options, verb] { run(*options, *verb); });
 }
 

@@ -13,8 +13,10 @@ std::unique_ptr<CLI::App> whole_command() {
   add_figure(*command);
   add_reference(*command);
   add_check(*command);
+  add_new(*command);
   add_check_experiment(*command);
   add_diagnose(*command);
+  add_serve(*command);
   add_chain(*command);
   add_trial(*command);
   for (CLI::App* verb : command->get_subcommands({}))

@@ -1,22 +1,19 @@
 /// \file
-/// `bench-census`: all equilibria of a chain, beside PHCpack, which follows all complex roots of a polynomial
-/// system that is nearly the same. Prints a table and puts it between the markers in
-/// benchmarks/RESULTS-census.md.
+/// `bench-census`: all equilibria of a chain, beside PHCpack. Prints two tables and puts them between the
+/// markers in benchmarks/RESULTS-census.md.
 
 #include <fmt/format.h>
-#include <sys/resource.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
 #include <iostream>
 #include <numbers>
 #include <plumbline/loaded/nominal_model.hpp>
 #include <random>
 
+#include "benchmarks/phcpack.hpp"
 #include "benchmarks/race.hpp"
 #include "benchmarks/results.hpp"
-#include "proofs/census/census_task.hpp"
 #include "proofs/census/found_equilibria.hpp"
 
 namespace plumbline::bench {
@@ -25,8 +22,9 @@ namespace {
 namespace fs = std::filesystem;
 using Model = NominalModel<double>;
 
-constexpr double near_enough = 1e-6;  ///< of sine and cosine, and of imaginary parts to nothing
-constexpr int most_seconds = 120;     ///< of the peer's processor time
+constexpr int most_seconds = 120;  ///< of the peer's processor time, a run
+constexpr int most_runs = 5;       ///< of the peer, with random numbers of their own
+constexpr double coarse = 0.1;     ///< accuracy of sine and cosine at which many links are within its reach
 
 Rational in_thousandths(std::mt19937& random, int low, int high) {
   return {std::uniform_int_distribution<int>(low, high)(random), 1000};
@@ -43,188 +41,42 @@ Chain<Rational> random_chain(std::size_t links) {
   return Chain<Rational>(std::move(length), std::move(stiffness), std::move(rest));
 }
 
-/// What is asked, and within which absolute angle all answers lie.
-struct Question {
-  proofs::CensusTask task;
-  double widest;
-};
-
-/// Compressed by a force that lets no link turn farther than four radians.
-Question under_force(std::size_t links) {
+/// Compressed by a force that lets no link turn farther than so many radians.
+proofs::CensusTask under_force(std::size_t links, int widest) {
   proofs::CensusTask task{"random", random_chain(links), false, proofs::Given::force, {}, 0};
   const auto z = distance_to_end(task.chain);
-  Rational turn(4), per_force(0);
+  Rational turn(widest), per_force(0);
   for (std::size_t i = 0; i < links; ++i) {
     turn -= abs(task.chain.rest()[i]);
     per_force += z[i] / task.chain.stiffness()[i];
   }
   const auto force = static_cast<long>(std::floor(1000 * static_cast<double>(turn / per_force)));
   task.load = {Rational(-force, 1000), 0};
-  return {std::move(task), 4};
+  return task;
 }
 
 /// Its end point pushed in by half a link.
-Question at_end_point(std::size_t links) {
-  proofs::CensusTask task{
-      "random", random_chain(links), false, proofs::Given::deflection, {Rational(1, 2), Rational(1, 10)}, 0};
+proofs::CensusTask at_end_point(std::size_t links) {
+  return {"random", random_chain(links), false, proofs::Given::deflection, {Rational(1, 2), Rational(1, 10)},
+          0};
+}
+
+/// Absolute angle that no link exceeds in the window of the census.
+double widest_at_end_point(const proofs::CensusTask& task) {
   const double first = std::abs(static_cast<double>(task.chain.rest()[0]));
-  return {std::move(task), first + static_cast<double>(links) * std::numbers::pi};
+  return first + static_cast<double>(task.chain.size()) * std::numbers::pi;
 }
 
-/// Coefficients of Chebyshev's polynomial T_m.
-std::vector<double> chebyshev(int m) {
-  std::vector<double> before{1}, now{0, 1};
-  if (m == 0) return before;
-  for (; m > 1; --m) {
-    std::vector<double> next(now.size() + 1);
-    for (std::size_t i = 0; i < now.size(); ++i) next[i + 1] = 2 * now[i];
-    for (std::size_t i = 0; i < before.size(); ++i) next[i] -= before[i];
-    before = std::exchange(now, next);
-  }
-  return now;
+std::vector<double> absolute_angles_of(const proofs::Census& census, std::size_t equilibrium) {
+  std::vector<double> theta;
+  double sum = 0;
+  for (const auto& q : census.equilibria[equilibrium].q)
+    theta.push_back(sum += static_cast<double>(q.middle()));
+  return theta;
 }
 
-/// The even degree up to which the series in T_m(u) of cos(widest u) and sin(widest u), |u| <= 1, are summed,
-/// and one more for the sine: what they leave out is `near_enough` to nothing.
-int degree_for(double widest) {
-  int m = 4;
-  while (std::abs(std::cyl_bessel_j(m + 2, widest)) > near_enough / 4) m += 2;
-  return m;
-}
-
-/// Coefficients of that sum, for the cosine or the sine.
-std::vector<double> circular(bool sine, double widest) {
-  const int last = degree_for(widest) + (sine ? 1 : 0);
-  std::vector<double> sum(static_cast<std::size_t>(last) + 1);
-  for (int m = sine ? 1 : 0; m <= last; m += 2) {
-    const double factor = (m == 0 ? 1 : 2) * (m % 4 < 2 ? 1 : -1) * std::cyl_bessel_j(m, widest);
-    const std::vector<double> T = chebyshev(m);
-    for (std::size_t i = 0; i < T.size(); ++i) sum[i] += factor * T[i];
-  }
-  return sum;
-}
-
-std::string term(double factor, const std::string& variables) {
-  return fmt::format("{:+.17e}{}", factor, variables);
-}
-
-std::string terms(double factor, const std::vector<double>& coefficients, const std::string& variable,
-                  const std::string& times = "") {
-  std::string text;
-  for (std::size_t i = 0; i < coefficients.size(); ++i) {
-    if (coefficients[i] == 0) continue;
-    const std::string power = i == 0 ? "" : i == 1 ? "*" + variable : fmt::format("*{}^{}", variable, i);
-    text += term(factor * coefficients[i], times + power);
-  }
-  return text;
-}
-
-/// The equilibrium equations (8) in u_j = theta_j / widest and, with the end point held, the force, as
-/// PHCpack reads them: k_i (q_i - rest_i) - k_{i+1} (q_{i+1} - rest_{i+1}) = L_i (Fy cos theta_i - Fx sin
-/// theta_i).
-std::string system_of(const Question& question) {
-  const auto chain = from_rational<double>(question.task.chain);
-  const std::size_t n = chain.size();
-  const bool held = question.task.control() == Control::end_point;
-  const double widest = question.widest;
-  const auto cosine = circular(false, widest), sine = circular(true, widest);
-  const auto u = [](std::size_t i) { return fmt::format("u{}", i + 1); };
-  const auto load = proofs::enclosed_load(question.task);
-  const double x = static_cast<double>(load.x.middle()), y = static_cast<double>(load.y.middle());
-  std::string text = fmt::format("{}\n", held ? n + 2 : n), closed_x, closed_y;
-  for (std::size_t i = 0; i < n; ++i) {
-    for (const std::size_t joint : {i, i + 1}) {
-      if (joint == n) continue;
-      const double k = (joint == i ? 1 : -1) * chain.stiffness()[joint];
-      text += term(k * widest, "*" + u(joint)) + term(-k * chain.rest()[joint], "");
-      if (joint > 0) text += term(-k * widest, "*" + u(joint - 1));
-    }
-    const double L = chain.length()[i];
-    text += held ? terms(L, sine, u(i), "*fx") + terms(-L, cosine, u(i), "*fy")
-                 : terms(L * x, sine, u(i)) + terms(-L * y, cosine, u(i));
-    text += ";\n";
-    closed_x += terms(L, cosine, u(i));
-    closed_y += terms(L, sine, u(i));
-  }
-  if (held) text += closed_x + term(-x, "") + ";\n" + closed_y + term(-y, "") + ";\n";
-  return text;
-}
-
-struct Peer {
-  double seconds = 0;                     ///< processor time
-  std::size_t paths = 0;                  ///< that are followed: to all complex roots
-  std::size_t roots = 0;                  ///< of them found
-  std::vector<std::vector<double>> real;  ///< theta, and the force where the end point is held
-};
-
-double children_seconds() {
-  rusage usage{};
-  getrusage(RUSAGE_CHILDREN, &usage);
-  const auto seconds = [](const timeval& t) {
-    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-  };
-  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
-
-/// The number behind the last colon of the first line that begins so; 0 where there is none.
-std::size_t number_in(const fs::path& file, const std::string& beginning) {
-  std::ifstream text(file);
-  for (std::string line; std::getline(text, line);) {
-    if (line.starts_with(beginning)) return std::stoul(line.substr(line.rfind(':') + 1));
-  }
-  return 0;
-}
-
-/// The real solutions among those that `phc -b` has appended to its system.
-std::vector<std::vector<double>> real_solutions(const fs::path& file, const Question& question) {
-  std::vector<std::vector<double>> all;
-  std::vector<double> one;
-  bool real = false;
-  std::ifstream text(file);
-  for (std::string line; std::getline(text, line);) {
-    if (line.starts_with("the solution for t")) {
-      one.assign(question.task.chain.size() + 2, 0);
-      real = true;
-    } else if (line.starts_with("==") && real) {
-      all.push_back(one);
-    } else if (line.starts_with(" u") || line.starts_with(" f")) {
-      std::istringstream words(line);
-      std::string name, colon;
-      double value = NAN, imaginary = NAN;
-      words >> name >> colon >> value >> imaginary;
-      real = real && std::abs(imaginary) < near_enough;
-      if (name[0] == 'u') {
-        real = real && std::abs(value) < 1 + near_enough;
-        one[std::stoul(name.substr(1)) - 1] = value * question.widest;
-      } else {
-        one[question.task.chain.size() + (name == "fx" ? 0 : 1)] = value;
-      }
-    }
-  }
-  return all;
-}
-
-/// The blackbox solver, without tasks, its random numbers the same at every call.
-Peer phc(const fs::path& folder, const Question& question) {
-  const fs::path system = folder / "system", output = folder / "output";
-  std::ofstream(system) << system_of(question);
-  fs::remove(output);
-  const double before = children_seconds();
-  const std::string command = fmt::format("ulimit -t {}; phc -b -0 {} {} > {} 2>&1", most_seconds,
-                                          system.string(), output.string(), (folder / "words").string());
-  const bool done = std::system(command.c_str()) == 0;
-  Peer peer{children_seconds() - before, number_in(output, "mixed volume"), 0, {}};
-  // with many variables it may find no mixed volume
-  if (peer.paths == 0) peer.paths = number_in(output, "2-homogeneous Bezout number");
-  if (!done && peer.seconds < most_seconds / 2.0) throw Error("phc -b", "a failure", "solutions");
-  if (!done) return peer;
-  peer.roots = number_in(output, "Number of regular solutions");
-  peer.real = real_solutions(system, question);
-  return peer;
-}
-
-/// How many of the proved equilibria Newton's method reaches from the peer's real solutions.
-std::size_t reached(const Peer& peer, const Question& question, const proofs::Census& census) {
+/// Which of the proved equilibria Newton's method reaches from the peer's real solutions.
+std::vector<bool> reached(const Peer& peer, const Question& question, const proofs::Census& census) {
   const auto n = static_cast<Eigen::Index>(question.task.chain.size());
   const Model model(from_rational<double>(question.task.chain));
   EquilibriumSolver<Model> solver(model);
@@ -233,18 +85,23 @@ std::size_t reached(const Peer& peer, const Question& question, const proofs::Ce
   std::vector<bool> hit(census.equilibria.size());
   for (const auto& one : peer.real) {
     const auto size = static_cast<std::size_t>(n);
-    const auto found = solver.under(question.task.control(), imposed, Vector<double>::Map(one.data(), n),
-                                    {one[size], one[size + 1]});
-    for (std::size_t e = 0; e < hit.size(); ++e) {
-      double theta = 0, apart = 0;
-      for (std::size_t j = 0; j < size; ++j) {
-        theta += static_cast<double>(census.equilibria[e].q[j].middle());
-        apart = std::max(apart, std::abs(theta - found.theta(static_cast<Eigen::Index>(j))));
+    const auto found = [&]() -> std::optional<Equilibrium<double>> {
+      try {
+        return solver.under(question.task.control(), imposed, Vector<double>::Map(one.data(), n),
+                            {one[size], one[size + 1]});
+      } catch (const Error&) {  // this start leads to no equilibrium
+        return std::nullopt;
       }
+    }();
+    for (std::size_t e = 0; found && e < hit.size(); ++e) {
+      const auto theta = absolute_angles_of(census, e);
+      double apart = 0;
+      for (std::size_t j = 0; j < size; ++j)
+        apart = std::max(apart, std::abs(theta[j] - found->theta(static_cast<Eigen::Index>(j))));
       hit[e] = hit[e] || apart < near_enough;
     }
   }
-  return static_cast<std::size_t>(std::count(hit.begin(), hit.end(), true));
+  return hit;
 }
 
 /// Processor time of one call, from as many as fit into a second or so.
@@ -252,7 +109,7 @@ template <class Call>
 double seconds_of(const Call& call) {
   std::vector<double> times;
   double sum = 0;
-  while (times.size() < 3 || (sum < 1 && times.size() < 100)) {
+  while (times.empty() || (sum < 1 && times.size() < 100)) {
     const double start = processor_seconds();
     call();
     times.push_back(processor_seconds() - start);
@@ -261,48 +118,129 @@ double seconds_of(const Call& call) {
   return median(times);
 }
 
-std::string row(const fs::path& folder, const char* load, const Question& question) {
-  const auto census = proofs::take_census(question.task);
+proofs::Census complete_census(const proofs::CensusTask& task) {
+  auto census = proofs::take_census(task);
   if (!census.complete()) throw Error("census", "something undecided", "nothing");
-  const double proved = seconds_of([&] { static_cast<void>(proofs::take_census(question.task)); });
-  const double found = seconds_of([&] { static_cast<void>(proofs::find_equilibria(question.task)); });
-  const Peer peer = phc(folder, question);
-  const bool done = peer.roots > 0;
-  const std::string roots = done ? fmt::format("{} | {} of {}", peer.roots, reached(peer, question, census),
-                                               census.equilibria.size())
-                                 : "– | –";
-  return fmt::format("| {} | {} | {} | {:.3g} | {:.3g} | {} | {} | {} | {}{:.3g} | {}{:.3g} |\n", load,
-                     question.task.chain.size(), census.equilibria.size(), 1e3 * proved, 1e3 * found,
-                     degree_for(question.widest) + 1, peer.paths, roots, done ? "" : "> ", 1e3 * peer.seconds,
-                     done ? "" : "> ", peer.seconds / proved);
+  return census;
 }
 
-int main_program() {
+std::string precise_row(const fs::path& folder, const char* load, const proofs::CensusTask& task,
+                        double widest) {
+  const Question question{task, widest, degree_for(widest, near_enough)};
+  const auto census = complete_census(task);
+  const double proved = seconds_of([&] { static_cast<void>(proofs::take_census(task)); });
+  const double found = seconds_of([&] { static_cast<void>(proofs::find_equilibria(task)); });
+  const Peer peer = phc(folder, question, 0, most_seconds);
+  const bool done = peer.roots > 0;
+  const auto hit = reached(peer, question, census);
+  const std::string roots =
+      done ? fmt::format("{} | {} of {}", peer.roots, std::count(hit.begin(), hit.end(), true), hit.size())
+           : "– | –";
+  return fmt::format("| {} | {} | {} | {:.3g} | {:.3g} | {} | {} | {} | {}{:.3g} | {}{:.3g} |\n", load,
+                     task.chain.size(), census.equilibria.size(), 1e3 * proved, 1e3 * found, question.degree,
+                     peer.paths, roots, done ? "" : "> ", 1e3 * peer.seconds, done ? "" : "> ",
+                     peer.seconds / proved);
+}
+
+/// The peer again and again, until a run takes too long.
+std::string repeated_row(const fs::path& folder, const char* load, const proofs::CensusTask& task,
+                         double widest) {
+  const Question question{task, widest, degree_for(widest, coarse)};
+  const auto census = complete_census(task);
+  const double proved = seconds_of([&] { static_cast<void>(proofs::take_census(task)); });
+  std::vector<bool> within(census.equilibria.size()), all(within.size());
+  for (std::size_t e = 0; e < within.size(); ++e) {
+    const auto theta = absolute_angles_of(census, e);
+    within[e] = std::all_of(theta.begin(), theta.end(), [&](double t) { return std::abs(t) < widest; });
+  }
+  const auto counted = [&](const std::vector<bool>& hit) {
+    std::size_t count = 0;
+    for (std::size_t e = 0; e < hit.size(); ++e) count += hit[e] && within[e] ? 1 : 0;
+    return count;
+  };
+  std::vector<std::string> by_run;
+  std::vector<double> seconds;
+  std::size_t paths = 0;
+  double sum = 0;
+  for (int run = 0; run < most_runs && sum < most_seconds; ++run) {
+    const Peer peer = phc(folder, question, run, most_seconds);
+    paths = std::max(paths, peer.paths);
+    seconds.push_back(peer.seconds);
+    sum += peer.seconds;
+    if (peer.roots == 0) {
+      by_run.emplace_back("cut off");
+      break;
+    }
+    const auto hit = reached(peer, question, census);
+    for (std::size_t e = 0; e < hit.size(); ++e) all[e] = all[e] || hit[e];
+    by_run.push_back(fmt::format("{}", counted(hit)));
+  }
+  const std::size_t inside = counted(std::vector<bool>(within.size(), true));
+  return fmt::format("| {} | {} | {} | {:.3g} | {} | {} | {} | {} | {} | {:.3g} |\n", load, task.chain.size(),
+                     census.equilibria.size(), proved, question.degree, paths, inside,
+                     fmt::join(by_run, ", "), counted(all), median(seconds));
+}
+
+class Table {
+ public:
+  Table(std::string marker, const std::string& head) : marker_(std::move(marker)) { add(head); }
+  void add(const std::string& line) {
+    std::cout << line << std::flush;
+    text_ += line;
+  }
+  void put() const { put_into(PLUMBLINE_SOURCE_DIR "/benchmarks/RESULTS-census.md", marker_, text_); }
+
+ private:
+  std::string marker_, text_;
+};
+
+void precise_table(const fs::path& folder, const std::string& written) {
+  Table table("bench-census",
+              written +
+                  "| load | n | equilibria, proved | census, ms | from random shapes, ms | degree | "
+                  "complex roots | PHCpack found | of the equilibria | PHCpack, ms | PHCpack / census |\n"
+                  "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n");
+  for (const std::size_t links : {2U, 3U, 4U})
+    table.add(precise_row(folder, "force", under_force(links, 4), 4));
+  for (const std::size_t links : {2U, 3U, 4U}) {
+    const auto task = at_end_point(links);
+    table.add(precise_row(folder, "end point held", task, widest_at_end_point(task)));
+  }
+  table.put();
+}
+
+void repeated_table(const fs::path& folder, const std::string& written) {
+  Table table(
+      "bench-census-runs",
+      written +
+          "| load | n | equilibria, proved | census, s | degree | paths of PHCpack | equilibria in its "
+          "range | found, run by run | found by all runs | PHCpack, s a run |\n"
+          "|---|--:|--:|--:|--:|--:|--:|---|--:|--:|\n");
+  for (const std::size_t links : {3U, 4U, 5U, 6U, 7U})
+    table.add(repeated_row(folder, "force", under_force(links, 3), 3));
+  for (const std::size_t links : {3U, 4U, 5U, 6U, 7U})
+    table.add(repeated_row(folder, "end point held", at_end_point(links), 3));
+  table.put();
+}
+
+int main_program(int count, char** words) {
   std::string pattern = fs::temp_directory_path() / "plumbline-bench-XXXXXX";
   if (mkdtemp(pattern.data()) == nullptr) throw Error(pattern, "no folder", "a place for the peer");
-  std::string table = fmt::format("Written by `build/benchmarks/bench-census` on {}.\n\n", processor_name()) +
-                      "| load | n | equilibria, proved | census, ms | from random shapes, ms | degree | "
-                      "complex roots | PHCpack "
-                      "found | of the equilibria | PHCpack, ms | PHCpack / census |\n"
-                      "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
-  std::cout << table << std::flush;
-  const auto add = [&](const std::string& line) {
-    std::cout << line << std::flush;
-    table += line;
-  };
-  for (const std::size_t links : {2U, 3U, 4U}) add(row(pattern, "force", under_force(links)));
-  for (const std::size_t links : {2U, 3U, 4U}) add(row(pattern, "end point held", at_end_point(links)));
+  const std::string written =
+      fmt::format("Written by `build/benchmarks/bench-census` on {}.\n\n", processor_name());
+  const std::string asked = count > 1 ? words[1] : "";
+  if (asked != "runs") precise_table(pattern, written);
+  if (asked != "precise") repeated_table(pattern, written);
   fs::remove_all(pattern);
-  put_into(PLUMBLINE_SOURCE_DIR "/benchmarks/RESULTS-census.md", "bench-census", table);
   return 0;
 }
 
 }  // namespace
 }  // namespace plumbline::bench
 
-int main() {
+int main(int count, char** words) {
   try {
-    return plumbline::bench::main_program();
+    return plumbline::bench::main_program(count, words);
   } catch (const std::exception& error) {
     std::cerr << "bench-census: " << error.what() << '\n';
     return 2;

@@ -67,13 +67,6 @@ double worst_error(const Forces& found, const std::vector<Mpfr50>& exact) {
   return worst;
 }
 
-std::string in_units(double seconds) {
-  if (seconds < 1e-6) return fmt::format("{:.0f} ns", seconds * 1e9);
-  if (seconds < 1e-3) return fmt::format("{:.3g} µs", seconds * 1e6);
-  if (seconds < 1) return fmt::format("{:.3g} ms", seconds * 1e3);
-  return fmt::format("{:.3g} s", seconds);
-}
-
 /// Makes the compiler compute a value that nothing else needs.
 void keep(double value) {
   asm volatile("" : : "x"(value));

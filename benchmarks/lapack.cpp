@@ -67,7 +67,7 @@ Tridiagonal tridiagonal(const detail::StringPiece<double>& string) {
   return T;
 }
 
-Forces dpttrf_inverse_iteration(const Chain<double>& chain) {
+Forces dpttrf_inverse_iteration(const StraightChain<double>& chain) {
   const detail::BeadString<double> whole(chain);
   Tridiagonal T = tridiagonal(whole.pieces()[0]);
   const int n = static_cast<int>(T.diagonal.size()), one = 1;
@@ -139,6 +139,52 @@ Forces dlasq1_all(const Chain<double>& chain) {
   for (double& value : d) value *= value;
   std::reverse(d.begin(), d.end());
   return d;
+}
+
+namespace {
+
+/// Factors of K - F G by dsbgvx on G w = w K / F, whose largest eigenvalues are those of the lowest F.
+Forces dsbgvx(StraightPencil<double> pencil, const char* range) {
+  const int n = static_cast<int>(pencil.size()), one = 1, three = 3, band = 2;
+  const double none = 0;
+  int found = 0, info = 0;
+  std::vector<double> w(count(n)), work(7 * count(n)), q(1), z(1);
+  std::vector<int> iwork(5 * count(n)), fail(count(n));
+  dsbgvx_("N", range, "L", &n, &band, &band, pencil.load.data(), &three, pencil.stiffness.data(), &three,
+          q.data(), &one, &none, &none, &n, &n, &none, &found, w.data(), z.data(), &one, work.data(),
+          iwork.data(), fail.data(), &info);
+  require(info, "dsbgvx");
+  Forces factors;
+  for (int i = found; i-- > 0 && w[count(i)] > 0;) factors.push_back(1 / w[count(i)]);
+  return factors;
+}
+
+}  // namespace
+
+Forces dsbgvx_lowest(const StraightPencil<double>& pencil) {
+  return dsbgvx(pencil, "I");
+}
+Forces dsbgvx_all(const StraightPencil<double>& pencil) {
+  return dsbgvx(pencil, "A");
+}
+
+Forces dsygv_all(const StraightPencil<double>& pencil) {
+  const int n = static_cast<int>(pencil.size()), one = 1, room = 64 * n;
+  const auto dense = [&](const Band<double, 2>& band) {
+    std::vector<double> all(count(n) * count(n));
+    for (Eigen::Index i = 0; i < n; ++i) {
+      for (Eigen::Index d = 0; d <= 2 && i + d < n; ++d)
+        all[static_cast<std::size_t>(i * n + i + d)] = band(d, i);
+    }
+    return all;
+  };
+  std::vector<double> G = dense(pencil.load), K = dense(pencil.stiffness), w(count(n)), work(count(room));
+  int info = 0;
+  dsygv_(&one, "N", "L", &n, G.data(), &n, K.data(), &n, w.data(), work.data(), &room, &info);
+  require(info, "dsygv");
+  Forces factors;
+  for (int i = n; i-- > 0 && w[count(i)] > 0;) factors.push_back(1 / w[count(i)]);
+  return factors;
 }
 
 Forces dsygv_all(const Chain<double>& chain) {

@@ -4,6 +4,7 @@
 /// found (bead_string.hpp), and general solvers on the paper's form.
 
 #include <plumbline/straight/bead_string.hpp>
+#include <plumbline/straight/pencil.hpp>
 #include <vector>
 
 namespace plumbline::bench {
@@ -20,7 +21,7 @@ struct Tridiagonal {
 Tridiagonal tridiagonal(const detail::StringPiece<double>& string);
 
 // lapack.cpp: lowest force, each from a chain without interior passive joint
-Forces dpttrf_inverse_iteration(const Chain<double>& chain);
+Forces dpttrf_inverse_iteration(const StraightChain<double>& chain);
 Forces dstebz_lowest(const Chain<double>& chain);
 Forces dsbgvx_lowest(const Chain<double>& chain);
 // lapack.cpp: all forces
@@ -28,6 +29,11 @@ Forces dlasq1_all(const Chain<double>& chain);
 Forces dstebz_all(const Chain<double>& chain);
 Forces dsygv_all(const Chain<double>& chain);
 Forces dggev_all(const Chain<double>& chain);  ///< of the pencil (33)
+
+// lapack.cpp: factors of a structure's pencil
+Forces dsbgvx_lowest(const StraightPencil<double>& pencil);
+Forces dsbgvx_all(const StraightPencil<double>& pencil);
+Forces dsygv_all(const StraightPencil<double>& pencil);
 
 // algorithm1_peers.cpp
 Forces spectra_lowest(const Chain<double>& chain);               ///< shift and invert about 0

@@ -2,6 +2,8 @@
 /// \file
 /// Tables that benchmarks put between their markers in the documents.
 
+#include <fmt/format.h>
+
 #include <fstream>
 #include <plumbline/base/error.hpp>
 #include <sstream>
@@ -29,6 +31,13 @@ inline std::string processor_name() {
     if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
   }
   return "unknown processor";
+}
+
+inline std::string in_units(double seconds) {
+  if (seconds < 1e-6) return fmt::format("{:.0f} ns", seconds * 1e9);
+  if (seconds < 1e-3) return fmt::format("{:.3g} µs", seconds * 1e6);
+  if (seconds < 1) return fmt::format("{:.3g} ms", seconds * 1e3);
+  return fmt::format("{:.3g} s", seconds);
 }
 
 }  // namespace plumbline::bench

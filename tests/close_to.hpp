@@ -6,8 +6,8 @@
 
 #include <limits>
 
-/// Equal to within a share (`epsilon`, 1.2e-5 unless told) of the larger of the two. `doctest::Approx` alone
-/// adds one to the larger: of values far below one it asks next to nothing. Zero is close to zero alone.
+/// Equal to within a fraction (`epsilon`, by default 1.2e-5) of the larger value. `doctest::Approx` alone
+/// adds one to the larger, so it accepts almost anything far below one. Only zero is close to zero.
 inline doctest::Approx close_to(double value) {
   return doctest::Approx(value).scale(std::numeric_limits<double>::min());
 }

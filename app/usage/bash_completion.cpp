@@ -6,7 +6,7 @@
 namespace plumbline::app {
 namespace {
 
-/// What completes the word at the cursor.
+/// Completions of the word at the cursor.
 std::string words(const std::vector<std::string>& list) {
   return fmt::format("COMPREPLY=($(compgen -W '{}' -- \"$cur\"))", fmt::join(list, " "));
 }

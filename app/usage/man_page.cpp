@@ -5,7 +5,7 @@
 namespace plumbline::app {
 namespace {
 
-/// Text that roff takes as it stands.
+/// Text escaped for roff.
 std::string plain(const std::string& text) {
   std::string result;
   bool begins_line = true;

@@ -105,7 +105,7 @@ struct Experiment : NominalChain {
   Bench bench;
   Noise noise;
   std::vector<Run> runs;
-  /// Of all runs, also of those that were left out since they were numbered; 0 before.
+  /// Number of all runs, with those left out since; 0 before numbering.
   std::size_t run_count = 0;
   std::vector<Origin> origins = {};  ///< of link_length, joint_stiffness, link_mass, gravity and rest
 };

@@ -139,8 +139,8 @@ Pooled pooled(const std::vector<Estimate>& estimates) {
   // Hartung and Knapp: the remaining squares scale the variance, never below that of the bounds alone.
   const double scale = std::max(1.0, left(variance_between) / count);
   const double half = quantile(freedom) * std::sqrt(scale / Sums(weight, nowhere, estimates).w);
-  const double alike = boost::math::cdf(complement(boost::math::chi_squared(count), left(0)));
-  return {{value, value - half, value + half}, std::sqrt(variance_between), alike};
+  const double p_no_spread = boost::math::cdf(complement(boost::math::chi_squared(count), left(0)));
+  return {{value, value - half, value + half}, std::sqrt(variance_between), p_no_spread};
 }
 
 Estimate drift(const std::vector<Estimate>& estimates, const std::vector<double>& places) {
@@ -167,7 +167,8 @@ Comparison compare(const std::vector<Outcome>& outcomes) {
   for (auto& [key, parameter] : parameters_of(outcomes)) {
     if (parameter.estimates.size() < 2) continue;
     const Pooled together = pooled(parameter.estimates);
-    parameter.mean = together.mean, parameter.spread = together.spread, parameter.alike = together.alike;
+    parameter.mean = together.mean, parameter.spread = together.spread,
+    parameter.p_no_spread = together.p_no_spread;
     std::vector<double> places;
     for (const std::size_t i : parameter.outcomes)
       places.push_back(

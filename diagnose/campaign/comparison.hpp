@@ -19,7 +19,7 @@ struct Parameter {
   std::vector<Estimate> estimates;    ///< of each of them
   Estimate mean;                      ///< over sessions with a standard deviation `spread`
   double spread = 0;                  ///< standard deviation between sessions beyond the bounds
-  double alike = 1;                   ///< p-value of no such spread
+  double p_no_spread = 1;             ///< p-value of no such spread
   std::optional<Estimate> drift;      ///< by day, or by experiment; of three or more
 };
 
@@ -41,7 +41,7 @@ Comparison compare(const std::vector<Outcome>& outcomes);
 /// Random effects after Paule and Mandel (1982), with the bounds of Hartung and Knapp (2001).
 struct Pooled {
   Estimate mean;
-  double spread, alike;
+  double spread, p_no_spread;
 };
 /// \pre at least two estimates
 Pooled pooled(const std::vector<Estimate>& estimates);

@@ -66,7 +66,7 @@ Json as_json(const Parameter& parameter, const std::vector<Outcome>& outcomes) {
   }
   one["mean"] = as_json(parameter.mean);
   one["spread"] = parameter.spread;
-  one["p_no_spread"] = parameter.alike;
+  one["p_no_spread"] = parameter.p_no_spread;
   one["drift"] = parameter.drift ? as_json(*parameter.drift) : Json(nullptr);
   return one;
 }
@@ -110,10 +110,11 @@ std::string same_cause(const std::vector<Outcome>& outcomes, const Comparison& c
 std::string words(const Parameter& parameter, bool by_date) {
   std::string text = with_bounds(parameter.mean, parameter.unit) + "; ";
   constexpr double level = 0.01;
-  text += parameter.alike < level ? fmt::format("spread between sessions {:.2g} beyond their bounds ({})",
-                                                parameter.spread, page::p_value(parameter.alike))
-                                  : fmt::format("no spread between sessions beyond their bounds ({})",
-                                                page::p_value(parameter.alike));
+  text += parameter.p_no_spread < level
+              ? fmt::format("spread between sessions {:.2g} beyond their bounds ({})", parameter.spread,
+                            page::p_value(parameter.p_no_spread))
+              : fmt::format("no spread between sessions beyond their bounds ({})",
+                            page::p_value(parameter.p_no_spread));
   if (!parameter.drift) return text;
   const char* step = by_date ? "a day" : "from one to the next";
   const bool drifts = parameter.drift->low > 0 || parameter.drift->high < 0;

@@ -34,7 +34,7 @@ std::vector<Tangent> tangents(const Study& study, const Instance& typical) {
   return all;
 }
 
-/// The nearest imitation by tangents.
+/// The closest reproduction, to first order.
 /// \param truth  true readings
 LinearisedAlternative nearest(const VectorXd& truth, const std::vector<Tangent>& alternative) {
   LinearisedAlternative best;
@@ -73,7 +73,7 @@ std::optional<LinearisedAlternative> fitted(const Study& truth, const EffectAt& 
 
 Comparison::Comparison(const DesignSpace& space, const std::function<void(double)>& progress)
     : space_(space) {
-  // A tangent that leaves more than this share of the squared gap does not lead to an exact imitation.
+  // A tangent that leaves more than this fraction of the squared gap does not lead to an exact reproduction.
   constexpr double may_come_near = 0.3;
   const Study study(space.bench);
   const std::size_t count = space.effects.size();

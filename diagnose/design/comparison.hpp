@@ -1,6 +1,5 @@
 #pragma once
-/// \file
-/// How well each effect of a design space imitates every other one.
+/// \file How well each effect of a design space reproduces every other one.
 
 #include <functional>
 

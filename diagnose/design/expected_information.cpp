@@ -40,8 +40,8 @@ double distance(const Gaussian& a, const Gaussian& b) {
   half << a.half, b.half;
   half /= std::numbers::sqrt2;
   const Eigen::LLT<Eigen::MatrixXd> between = small_factor(half);
-  const Eigen::VectorXd apart = a.mean - b.mean, seen = half.transpose() * apart;
-  return (apart.squaredNorm() - seen.dot(between.solve(seen))) / 8 +
+  const Eigen::VectorXd difference = a.mean - b.mean, seen = half.transpose() * difference;
+  return (difference.squaredNorm() - seen.dot(between.solve(seen))) / 8 +
          (log_determinant(between) - (a.log_determinant + b.log_determinant) / 2) / 2;
 }
 

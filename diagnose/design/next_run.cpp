@@ -87,7 +87,7 @@ Forecast forecast(const Prediction& predicted, const std::vector<Channel>& chann
 }
 
 /// Root mean square difference of two predictions.
-double apart(const Forecast& one, const Forecast& other) {
+double distance(const Forecast& one, const Forecast& other) {
   return (one.read - other.read).norm() / std::sqrt(static_cast<double>(one.read.size()));
 }
 
@@ -147,11 +147,11 @@ class Planner {
                      [&](const Proposal& a, const Proposal& b) { return grade(a) > grade(b); });
     std::vector<Proposal> chosen;
     for (const Proposal& one : proposals_) {
-      const bool alike = std::any_of(chosen.begin(), chosen.end(), [&](const Proposal& other) {
+      const bool repeated = std::any_of(chosen.begin(), chosen.end(), [&](const Proposal& other) {
         return other.run.control == one.run.control && other.run.rest == one.run.rest &&
                other.angles == one.angles && other.out_of_gravity == one.out_of_gravity;
       });
-      if (!alike && chosen.size() < count) chosen.push_back(one);
+      if (!repeated && chosen.size() < count) chosen.push_back(one);
     }
     return chosen;
   }
@@ -179,7 +179,7 @@ class Planner {
         proposals_.push_back({what + (out_of_gravity ? ", the rig turned out of gravity" : "") +
                                   (angles && !reads_angles_ ? ", joint angles measured" : ""),
                               run, angles, out_of_gravity, expected_information(hypotheses), after, before_,
-                              apart(hypotheses.front(), nominal)});
+                              distance(hypotheses.front(), nominal)});
       }
     }
   }

@@ -16,7 +16,7 @@ constexpr double same_effect = 1e-3;
 /// The effects that runs detect, and the pairs that they distinguish.
 struct Shown {
   Places seen;
-  std::vector<std::vector<bool>> apart;
+  std::vector<std::vector<bool>> distinguished;
 };
 
 /// \param suffice  whether the runs suffice for some contrasts
@@ -26,7 +26,7 @@ Shown shown_by(const Comparison& effects, const std::function<bool(const std::ve
     if (suffice({effects.gap(i)})) result.seen.push_back(i);
   for (const std::size_t i : result.seen)
     for (const std::size_t j : result.seen)
-      if (j > i) result.apart[i][j] = result.apart[j][i] = suffice(effects.between(i, j));
+      if (j > i) result.distinguished[i][j] = result.distinguished[j][i] = suffice(effects.between(i, j));
   return result;
 }
 
@@ -36,7 +36,7 @@ std::vector<Indistinguishable> indistinguishable(const Comparison& effects, cons
   std::vector<Places> near(effects.size());
   for (const std::size_t i : told.seen)
     for (const std::size_t j : told.seen)
-      if (!told.apart[i][j]) near[i].push_back(j);
+      if (!told.distinguished[i][j]) near[i].push_back(j);
   std::vector<Indistinguishable> result;
   std::vector<bool> taken(effects.size(), false);
   for (const std::size_t i : told.seen) {
@@ -98,7 +98,7 @@ Plan plan(const Experiment& bench, const std::function<void(double)>& progress) 
   for (const std::size_t i : told.seen) {
     to_be_shown.push_back(effects.gap(i));
     for (const std::size_t j : told.seen) {
-      if (j <= i || !told.apart[i][j]) continue;
+      if (j <= i || !told.distinguished[i][j]) continue;
       ++result.separated;
       for (Contrast& one : effects.between(i, j)) to_be_shown.push_back(std::move(one));
     }

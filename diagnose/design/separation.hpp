@@ -1,6 +1,6 @@
 #pragma once
-/// \file
-/// The separation of two hypotheses: the part of one prediction that the other, refitted, cannot imitate.
+/// \file The separation of two hypotheses: the part of one prediction that the other, refitted, cannot
+/// reproduce.
 
 #include <cmath>
 

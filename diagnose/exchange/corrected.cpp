@@ -121,15 +121,18 @@ namespace {
 
 using Writer = Written (*)(const Model&);
 
-/// What writes the user's own file with the correction in it; none of a format that this program cannot read.
-Writer editor([[maybe_unused]] Format format) {
-#ifdef PLUMBLINE_MUJOCO
-  if (format == Format::mjcf) return edit_mjcf;
-#endif
-#ifdef PLUMBLINE_SDFORMAT
-  if (format == Format::sdf) return edit_sdf;
-  if (format == Format::urdf) return edit_urdf;
-#endif
+/// What writes the user's own file with the correction in it; none for our own format, which is written anew.
+Writer editor(Format format) {
+  switch (format) {
+    case Format::mjcf:
+      return edit_mjcf;
+    case Format::urdf:
+      return edit_urdf;
+    case Format::sdf:
+      return edit_sdf;
+    case Format::toml:
+      break;
+  }
   return nullptr;
 }
 

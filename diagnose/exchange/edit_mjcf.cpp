@@ -6,12 +6,11 @@
 #include <algorithm>
 #include <plumbline/base/error.hpp>
 
+#include "diagnose/exchange/edit_servo.hpp"
 #include "diagnose/exchange/edited_chain.hpp"
-#include "diagnose/exchange/mjcf_document.hpp"
 #include "diagnose/exchange/mjcf_keys.hpp"
 #include "diagnose/exchange/mjcf_parts.hpp"
-#include "diagnose/exchange/mujoco_model.hpp"
-#include "diagnose/exchange/read_mujoco.hpp"
+#include "diagnose/exchange/read_mjcf.hpp"
 #include "diagnose/exchange/tree_path.hpp"
 
 namespace plumbline::exchange {
@@ -28,9 +27,10 @@ class MjcfEditor {
  public:
   explicit MjcfEditor(const Model& model)
       : model_(model),
-        own_(model.source.string()),
-        chain_(model, read_mujoco(model.source.string()), Format::mjcf, {.tendons = true}),
-        document_(model.source),
+        scene_(model.source),
+        actuators_(actuators_of(scene_)),
+        chain_(model, model_in(scene_, actuators_), Format::mjcf, {.tendons = true}),
+        document_(scene_.document),
         n_(chain_.size()) {
     require_editable();
   }
@@ -46,7 +46,7 @@ class MjcfEditor {
     if (after.drive) add_drive(*after.drive);
     if (Xml custom = mjcf_beside(model_, chain_.effects()); !custom.empty())
       document_.append(document_.root(), custom);
-    extend_keys(document_, *own_.model, after.drive ? after.drive->start : Pair{0, 0});
+    extend_keys(scene_, actuators_.count, after.drive ? after.drive->start : Pair{0, 0});
     const std::string name = model_.source.filename().string();
     return {document_.text(head_lines(model_, chain_.effects(), {"Edited: " + name + "."})), chain_.effects(),
             name + " with the correction in it"};
@@ -58,52 +58,55 @@ class MjcfEditor {
   }
 
   void require_editable() {
-    const mjModel& m = *own_.model;
-    if (static_cast<int>(document_.bodies.size()) != m.nbody ||
-        static_cast<int>(document_.joints.size()) != m.njnt ||
-        static_cast<int>(document_.sites.size()) != m.nsite)
-      refuse("bodies, joints and sites that MuJoCo counts otherwise", "a file that names each one");
-    for (std::size_t j = 0; j < n_; ++j)
-      if (m.body_jntnum[body(j)] != 1) refuse("joints that share a body", "a body for every joint");
-    if (chain_.read().end_site < 0) refuse("no site at the end point", "a site there");
-    if (end_site().attribute("fromto")) refuse("an end point given by fromto", "a site with a pos");
-    for (std::size_t j = 0; j < n_; ++j)
+    if (document_.is_on("inertiafromgeom", false))
+      refuse("inertiafromgeom=\"true\"", "bodies that may have an inertia of their own");
+    for (std::size_t j = 0; j < n_; ++j) {
+      if (own_body(j).joints.size() != 1) refuse("joints that share a body", "a body for every joint");
+      if (joint(j).parent() != own_body(j).element) refuse("a joint within a frame", "joints in bodies");
       if (!joint(j).attribute("name")) set(joint(j), "name", chain_.joint(j).name);
+    }
+    if (end_site().element.attribute("fromto")) refuse("an end point given by fromto", "a site with a pos");
   }
 
-  // The model's numbers.
-  [[nodiscard]] int number(std::size_t j) const { return static_cast<int>(chain_.number(j)); }
-  [[nodiscard]] int body(std::size_t j) const { return own_.model->jnt_bodyid[number(j)]; }
-  [[nodiscard]] int end_body() const { return own_.model->site_bodyid[chain_.read().end_site]; }
-  [[nodiscard]] xml_node end_site() const {
-    return document_.sites[static_cast<std::size_t>(chain_.read().end_site)];
-  }
-  [[nodiscard]] xml_node element(int body) const { return document_.bodies[static_cast<std::size_t>(body)]; }
-  [[nodiscard]] xml_node joint(std::size_t j) const { return document_.joints[chain_.number(j)]; }
+  // The model's parts.
+  [[nodiscard]] const MjcfJoint& own_joint(std::size_t j) const { return scene_.joints[chain_.number(j)]; }
+  [[nodiscard]] std::size_t body(std::size_t j) const { return own_joint(j).body; }
+  [[nodiscard]] const MjcfBody& own_body(std::size_t j) const { return scene_.bodies[body(j)]; }
+  [[nodiscard]] const MjcfSite& end_site() const { return scene_.sites[chain_.end().number]; }
+  [[nodiscard]] std::size_t end_body() const { return end_site().body; }
+  [[nodiscard]] xml_node joint(std::size_t j) const { return own_joint(j).element; }
 
-  [[nodiscard]] Eigen::Matrix3d turned(int body) const {
-    return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(own_.data->xmat +
-                                                                          std::ptrdiff_t{9} * body);
+  /// The element that holds what a body holds; of the world the first.
+  [[nodiscard]] xml_node element(std::size_t body) const {
+    return body > 0 ? scene_.bodies[body].element : document_.root().child("worldbody");
   }
-  [[nodiscard]] Vector3d in(int body, const Vector3d& direction) const {
-    return turned(body).transpose() * direction;
+  [[nodiscard]] Vector3d in(std::size_t body, const Vector3d& direction) const {
+    return scene_.bodies[body].at.linear().transpose() * direction;
   }
-  [[nodiscard]] Vector3d point_in(int body, const Vector3d& place) const {
-    return in(body, place - vector_of(own_.data->xpos, body));
+  [[nodiscard]] Vector3d point_in(std::size_t body, const Vector3d& place) const {
+    return scene_.bodies[body].at.inverse() * place;
   }
 
   /// The angle, in the file's coordinate, at which the spring of a joint is at ease.
   [[nodiscard]] double ease(std::size_t j) const {
-    return own_.model->qpos_spring[own_.model->jnt_qposadr[number(j)]] + chain_.ease_moves(j);
+    return reference(j) + chain_.joint(j).rest + chain_.ease_moves(j);
   }
-  [[nodiscard]] double reference(std::size_t j) const {
-    return own_.model->qpos0[own_.model->jnt_qposadr[number(j)]];
-  }
+  [[nodiscard]] double reference(std::size_t j) const { return own_joint(j).ref; }
 
   void edit_joint(std::size_t j) {
     const Hinge &old = chain_.before(j), &now = chain_.after(j);
-    if (now.stiffness != old.stiffness) set(joint(j), "stiffness", number_of(now.stiffness));
-    if (now.rest != old.rest) set(joint(j), "springref", number_of(document_.angle(ease(j))));
+    const double factor = now.stiffness / old.stiffness;
+    bool servos = false;
+    for (const MjcfServo& servo : actuators_.servos) {
+      if (servo.joint != chain_.number(j)) continue;
+      servos = true;
+      edit_servo(servo, factor, chain_.ease_moves(j), document_.file());
+    }
+    // Springs beside a servo stiffen and turn with it.
+    const double own = servos ? own_joint(j).stiffness * factor : now.stiffness,
+                 rest = servos ? own_joint(j).springref + chain_.ease_moves(j) : ease(j);
+    if (own != own_joint(j).stiffness) set(joint(j), "stiffness", number_of(own));
+    if (now.rest != old.rest && own > 0) set(joint(j), "springref", number_of(document_.angle(rest)));
     if (now.friction == old.friction) return;
     set(joint(j), "frictionloss", number_of(now.friction));
     set(joint(j), "solreffriction", rigid_reference());
@@ -111,19 +114,18 @@ class MjcfEditor {
   }
   static std::string number_of(double value) { return plumbline::exchange::number(value); }
 
-  /// Moves what stands at a place of its own in a body.
-  void move(xml_node element, const Vector3d& old, int carrier, const Vector3d& by) {
-    if (by.norm() > 0) set(element, "pos", numbers_of(old + in(carrier, by)));
+  /// Moves what stands at a place of its own, in what holds it.
+  static void move(xml_node element, const Vector3d& place, const Eigen::Isometry3d& held,
+                   const Vector3d& by) {
+    if (by.norm() > 0) set(element, "pos", numbers_of(held.inverse() * (place + by)));
   }
 
   void edit_places() {
     for (std::size_t j = 0; j < n_; ++j) {
       const Vector3d by = j > 0 ? Vector3d(chain_.moves(j) - chain_.moves(j - 1)) : chain_.base_moves();
-      move(element(body(j)), vector_of(own_.model->body_pos, body(j)), own_.model->body_parentid[body(j)],
-           by);
+      move(own_body(j).element, own_body(j).at.translation(), own_body(j).held, by);
     }
-    move(end_site(), vector_of(own_.model->site_pos, chain_.read().end_site), end_body(),
-         chain_.moves(n_) - chain_.moves(n_ - 1));
+    move(end_site().element, end_site().at, end_site().held, chain_.moves(n_) - chain_.moves(n_ - 1));
   }
 
   /// A joint of ours in a body of the file.
@@ -140,7 +142,7 @@ class MjcfEditor {
   void add_series() {
     for (const EditedChain::Added& one : chain_.in_series()) {
       const bool inside = one.before < n_;
-      const int carried = inside ? body(one.before) : end_body();
+      const std::size_t carried = inside ? body(one.before) : end_body();
       const Vector3d at = point_in(carried, one.place - chain_.moves(inside ? one.before : n_ - 1));
       const Xml added = joint_in(*one.body->joint, in(carried, one.axis), at);
       if (inside) {
@@ -157,7 +159,7 @@ class MjcfEditor {
     Xml body("body");
     body.set("name", "beyond").add(mjcf_inertial(speck, 0));
     beyond_ = document_.append(element(end_body()), body);
-    beyond_.append_move(end_site());
+    beyond_.append_move(end_site().element);
     return beyond_;
   }
   [[nodiscard]] xml_node tip() const { return beyond_ ? beyond_ : element(end_body()); }
@@ -168,17 +170,17 @@ class MjcfEditor {
   [[nodiscard]] Vector3d at_end(const Pair& from_end) const {
     const Vector3d moved = chain_.moves(n_) - chain_.moves(n_ - 1) + from_end[0] * chain_.along(n_ - 1) +
                            from_end[1] * chain_.across(n_ - 1);
-    return point_in(end_body(), *chain_.read().end + moved);
+    return point_in(end_body(), chain_.end().place + moved);
   }
 
   /// Arms and followers: bodies beside those of the joints.
   void add_beside() {
     for (const auto& [one, j] : chain_.beside()) {
-      const int carrier = own_.model->body_parentid[body(j)];
+      const std::size_t carrier = own_body(j).parent;
       const Vector3d axis = one->joint->along == 'z' ? chain_.plane().normal() : chain_.along(j);
       Xml xml("body");
       xml.set("name", chain_.own_name(one->name))
-          .set("pos", numbers_of(vector_of(own_.model->body_pos, body(j))));
+          .set("pos", numbers_of(point_in(carrier, own_body(j).at.translation())));
       xml.add(joint_in(*one->joint, in(carrier, axis), Vector3d::Zero()));
       document_.append(element(carrier), xml.add(mjcf_inertial(one->mass, one->middle)));
     }
@@ -234,7 +236,7 @@ class MjcfEditor {
       if (one.attribute("gravity")) option = one;
     set(option, "gravity", numbers_of(weights->gravity));
     for (const EditedChain::Weight& one : weights->added) {
-      const int carrier = one.link < n_ ? body(one.link) : end_body();
+      const std::size_t carrier = one.link < n_ ? body(one.link) : end_body();
       Xml weight("body");
       weight.set("name", one.name).set("pos", numbers_of(point_in(carrier, one.place)));
       document_.append(one.link < n_ ? element(carrier) : tip(), weight.add(mjcf_inertial(one.mass, 0)));
@@ -248,7 +250,7 @@ class MjcfEditor {
     Eigen::Matrix3d turn;
     turn << plane.x, plane.y, normal;
     const Eigen::Quaterniond q(turn);
-    const Vector3d end = *chain_.read().end - base;
+    const Vector3d end = chain_.end().place - base;
     const Eigen::Vector2d reference = plane.of(end + chain_.moves(n_) + chain_.base_moves());
     Xml bench("body"), world("worldbody");
     bench.set("name", "bench").set("pos", numbers_of(base + normal.dot(end) * normal));
@@ -262,9 +264,10 @@ class MjcfEditor {
   }
 
   const Model& model_;
-  MujocoModel own_;
+  MjcfScene scene_;
+  MjcfActuators actuators_;
   EditedChain chain_;
-  mutable MjcfDocument document_;
+  MjcfDocument& document_;
   std::size_t n_;
   xml_node beyond_;
 };

@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <map>
 #include <plumbline/base/error.hpp>
 
 #include "diagnose/exchange/edited_chain.hpp"
@@ -16,13 +15,9 @@ namespace {
 using Eigen::Vector3d;
 using pugi::xml_node;
 
-std::string text_in(const xml_node element, const char* child) {
-  return element.child(child).text().get();
-}
-
 /// The first three numbers of a pose, the others as they stand.
 void move(xml_node pose, const Vector3d& by) {
-  std::vector<double> all = numbers_in(pose.text().get());
+  std::vector<double> all = numbers_in(pose.text().get(), "pose", 0, 7);
   all.resize(std::max<std::size_t>(all.size(), 6));
   for (Eigen::Index a = 0; a < 3; ++a) all[static_cast<std::size_t>(a)] += by[a];
   pose.text() = numbers(all).c_str();
@@ -32,15 +27,13 @@ class SdfEditor {
  public:
   explicit SdfEditor(const Model& model)
       : model_(model),
-        chain_(model, read_sdf(model.source.string()), Format::sdf, {.soft_ranges = true}),
-        turned_(sdf_rotations(model.source.string())),
+        chain_(model, read_sdf(model.source), Format::sdf, {.soft_ranges = true}),
+        tree_(model.source),
         n_(chain_.size()),
-        end_(chain_.read().end_name.substr(chain_.read().end_name.find(' ') + 1)) {
-    parse(model.source, document_);
-    world_ = document_.document_element().child("world");
-    robot_ = (world_ ? world_ : document_.document_element()).child("model");
-    if (!robot_ || robot_.child("include") || robot_.child("model"))
-      refuse("a model that is in another file, or has others in it", "links and joints one by one");
+        end_(chain_.end().name),
+        world_(tree_.world),
+        robot_(tree_.model) {
+    if (robot_.child("model")) refuse("a model that has others in it", "links and joints one by one");
     for (std::size_t j = 0; j < n_; ++j) {
       joints_.push_back(named(robot_, "joint", chain_.joint(j).name));
       if (!joints_[j])
@@ -57,7 +50,7 @@ class SdfEditor {
     const std::string name = model_.source.filename().string();
     std::vector<std::string> remarks{"Edited: " + name + "."};
     if (const auto weights = chain_.weights()) edit_weights(*weights, remarks);
-    return {text_of(document_, head_lines(model_, chain_.effects(), remarks)), chain_.effects(),
+    return {text_of(tree_.document, head_lines(model_, chain_.effects(), remarks)), chain_.effects(),
             name + " with the correction in it"};
   }
 
@@ -101,8 +94,7 @@ class SdfEditor {
       const Vector3d by = moves(one.attribute("name").value()) - moves(frame);
       if (!(by.norm() > 0)) continue;
       if (!one.child("pose")) one.prepend_child("pose").text() = "0 0 0 0 0 0";
-      const auto turned = turned_.find(frame);
-      move(one.child("pose"), turned == turned_.end() ? by : Vector3d(turned->second.transpose() * by));
+      move(one.child("pose"), tree_.pose(tree_.resolved(frame, "")).linear().transpose() * by);
     }
   }
 
@@ -164,7 +156,8 @@ class SdfEditor {
   }
 
   void edit_weights(const EditedChain::Weights& weights, std::vector<std::string>& remarks) {
-    const std::string gravity = numbers({weights.gravity.x(), weights.gravity.y(), weights.gravity.z()});
+    const Vector3d g = world_ ? Vector3d(tree_.turn() * weights.gravity) : weights.gravity;
+    const std::string gravity = numbers({g.x(), g.y(), g.z()});
     if (world_) {
       set_child(world_, "gravity", gravity);
     } else {
@@ -185,10 +178,9 @@ class SdfEditor {
 
   const Model& model_;
   EditedChain chain_;
-  std::map<std::string, Eigen::Matrix3d> turned_;
+  SdfTree tree_;
   std::size_t n_;
   std::string end_;
-  pugi::xml_document document_;
   xml_node world_, robot_;
   std::vector<xml_node> joints_;  ///< of the chain
 };

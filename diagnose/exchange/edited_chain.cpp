@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 
 EditedChain::EditedChain(const Model& model, ReadModel read, Format format, const Means& means)
     : read_(std::move(read)), chain_(planar_chain(read_, model.source.string())) {
-  if (!read_.end)
+  if (!chain_.end)
     throw Error(model.source.string(), "nothing that names the end point",
                 "a site, frame or link there with end or tip in its name");
   Model bare = model;
@@ -47,7 +47,7 @@ void EditedChain::measure_links() {
   const std::vector<LinkOf> old = links_of(before_, size()), now = links_of(after_, size());
   Vector3d moved = Vector3d::Zero();
   for (std::size_t j = 0; j < size(); ++j) {
-    const Vector3d far = j + 1 < size() ? joint(j + 1).anchor : *read_.end, way = far - joint(j).anchor;
+    const Vector3d far = j + 1 < size() ? joint(j + 1).anchor : end().place, way = far - joint(j).anchor;
     const Vector3d in_plane = way - way.dot(plane().normal()) * plane().normal();
     along_.push_back(in_plane.normalized());
     moves_.push_back(moved);
@@ -148,7 +148,7 @@ std::optional<EditedChain::Weights> EditedChain::weights() const {
   }
   if (payload() != nullptr)
     all.added.push_back({"payload", size(), payload()->mass * strength / own,
-                         *read_.end + moves_[size()] - moves_[size() - 1]});
+                         end().place + moves_[size()] - moves_[size() - 1]});
   return all;
 }
 

@@ -24,6 +24,8 @@ class EditedChain {
   [[nodiscard]] std::size_t size() const { return chain_.joints.size(); }
   [[nodiscard]] const Plane& plane() const { return chain_.plane; }
   [[nodiscard]] const ReadModel& read() const { return read_; }
+  /// Where the model names the end point.
+  [[nodiscard]] const ReadPoint& end() const { return *chain_.end; }
   /// What became of each effect.
   [[nodiscard]] const std::vector<Carried>& effects() const { return effects_; }
   [[nodiscard]] const Tree& after() const { return after_; }

@@ -1,34 +1,17 @@
 #include "diagnose/exchange/mjcf_document.hpp"
 
-#include <map>
 #include <numbers>
 #include <plumbline/base/error.hpp>
 #include <utility>
 
 #include "diagnose/exchange/mjcf_parts.hpp"
+#include "support/files/printable.hpp"
 
 namespace plumbline::exchange {
 namespace {
 
 using pugi::xml_node;
 using Attributes = std::vector<std::pair<const char*, std::string>>;
-
-/// Replaces every <include> by what its file's root holds.
-void include(xml_node parent, const std::filesystem::path& folder) {
-  for (xml_node child = parent.first_child(); child;) {
-    const xml_node next = child.next_sibling();
-    if (std::string(child.name()) == "include") {
-      pugi::xml_document other;
-      parse(folder / child.attribute("file").value(), other);
-      include(other.document_element(), folder);
-      for (const xml_node one : other.document_element()) parent.insert_copy_before(one, child);
-      parent.remove_child(child);
-    } else {
-      include(child, folder);
-    }
-    child = next;
-  }
-}
 
 /// What MuJoCo takes where neither the element nor a default says anything; constraints as good as rigid.
 const Attributes& as_without_defaults(const xml_node element) {
@@ -70,46 +53,79 @@ void add_what_is_silent(xml_node element) {
   for (const xml_node child : element.children()) add_what_is_silent(child);
 }
 
+/// By which a file is known, whatever way leads to it.
+std::string whole_name(const std::filesystem::path& file) {
+  std::error_code none;
+  const std::filesystem::path whole = std::filesystem::weakly_canonical(file, none);
+  return none ? file.string() : whole.string();
+}
+
 }  // namespace
 
 MjcfDocument::MjcfDocument(const std::filesystem::path& file) : file_(file.string()) {
   parse(file, document_);
-  include(document_.document_element(), file.parent_path());
-  for (const xml_node compiler : root().children("compiler")) {
-    if (const auto angle = compiler.attribute("angle")) degrees_ = std::string(angle.value()) != "radian";
-    if (std::string(compiler.attribute("coordinate").value()) == "global")
-      throw Error(file_, "coordinate=\"global\"", "local coordinates");
-    if (std::string(compiler.attribute("inertiafromgeom").value()) == "true")
-      throw Error(file_, "inertiafromgeom=\"true\"", "bodies that may have an inertia of their own");
-  }
-  number();
+  const std::string name = root().name();
+  if (name != "mujoco")
+    throw Error(file_, name == "robot" ? "a URDF" : "the root <" + files::shown(name) + ">",
+                name == "robot" ? "MJCF in a file that ends in .xml: URDF ends in .urdf"
+                                : "the root <mujoco> of MJCF");
+  std::set<std::string> included{whole_name(file)};
+  include(root(), file.parent_path(), included);
 }
 
-void MjcfDocument::number() {
-  bodies.assign(1, {});  // the world, of which there may be several parts
-  joints.clear();
-  sites.clear();
-  for (const xml_node world : root().children("worldbody")) {
-    if (!bodies.front()) bodies.front() = world;
-    number(world);
+/// Replaces every <include> by what its file's root holds.
+void MjcfDocument::include(xml_node parent, const std::filesystem::path& folder,
+                           std::set<std::string>& included) {
+  for (xml_node child = parent.first_child(); child;) {
+    const xml_node next = child.next_sibling();
+    if (std::string(child.name()) != "include") {
+      include(child, folder, included);
+      child = next;
+      continue;
+    }
+    if (*child.attribute("file").value() == '\0')
+      throw Error(place_of(file_, child), "no file", "the name of one");
+    const std::filesystem::path other_file = folder / child.attribute("file").value();
+    if (!included.insert(whole_name(other_file)).second)
+      throw Error(file_, files::shown(other_file.string()) + " included twice", "each file once");
+    pugi::xml_document other;
+    parse(other_file, other);
+    include(other.document_element(), folder, included);
+    for (const xml_node one : other.document_element()) parent.insert_copy_before(one, child);
+    parent.remove_child(child);
+    child = next;
   }
 }
 
-void MjcfDocument::number(xml_node body) {
-  for (const xml_node child : body.children()) {
-    const std::string name = child.name();
-    if (name == "joint" || name == "freejoint") joints.push_back(child);
-    if (name == "site") sites.push_back(child);
-    if (name == "composite" || name == "frame") throw Error(file_, "a " + name, "bodies one by one");
-  }
-  for (const xml_node child : body.children("body")) {
-    bodies.push_back(child);
-    number(child);
-  }
+std::string MjcfDocument::setting(const char* name, const char* otherwise) const {
+  std::string said = otherwise;
+  for (const xml_node compiler : root().children("compiler"))
+    if (const auto own = compiler.attribute(name)) said = own.value();
+  return said;
+}
+
+bool MjcfDocument::is_on(const char* name, bool otherwise) const {
+  return setting(name, otherwise ? "true" : "false") == "true";
+}
+
+bool MjcfDocument::disabled(const char* flag) const {
+  bool off = false;
+  for (const xml_node option : root().children("option"))
+    for (const xml_node flags : option.children("flag"))
+      if (const auto own = flags.attribute(flag)) off = std::string(own.value()) == "disable";
+  return off;
+}
+
+bool MjcfDocument::in_degrees() const {
+  return setting("angle", "degree") != "radian";
 }
 
 double MjcfDocument::angle(double radians) const {
-  return degrees_ ? radians * 180 / std::numbers::pi : radians;
+  return in_degrees() ? radians * 180 / std::numbers::pi : radians;
+}
+
+double MjcfDocument::radians(double angle) const {
+  return in_degrees() ? angle * std::numbers::pi / 180 : angle;
 }
 
 xml_node MjcfDocument::append(xml_node parent, const Xml& element) {

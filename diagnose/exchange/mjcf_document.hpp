@@ -1,8 +1,9 @@
 #pragma once
 /// \file
-/// A user's own MJCF, to be edited: what is not touched stays as it stands.
+/// A user's own MJCF, to be read or edited: what is not touched stays as it stands.
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -13,16 +14,21 @@ namespace plumbline::exchange {
 class MjcfDocument {
  public:
   /// Reads it with what it includes.
-  /// \throws Error where it is no XML, or written in a way that cannot be edited
+  /// \throws Error where it is no MJCF, or includes a file twice or one that cannot be read
   explicit MjcfDocument(const std::filesystem::path& file);
 
-  // By MuJoCo's numbers, as of the last call: the world is body 0.
-  std::vector<pugi::xml_node> bodies, joints, sites;
-  void number();
+  [[nodiscard]] const std::string& file() const { return file_; }
+  [[nodiscard]] pugi::xml_node root() const { return document_.document_element(); }
+  /// What the last <compiler> that names it says; or `otherwise`.
+  [[nodiscard]] std::string setting(const char* name, const char* otherwise) const;
+  /// A value that <compiler> has as a switch.
+  [[nodiscard]] bool is_on(const char* name, bool otherwise) const;
+  /// Whether <option><flag> switches something off.
+  [[nodiscard]] bool disabled(const char* flag) const;
 
-  [[nodiscard]] pugi::xml_node root() { return document_.document_element(); }
-  /// An angle as the file has them.
+  /// An angle as the file has them, and back.
   [[nodiscard]] double angle(double radians) const;
+  [[nodiscard]] double radians(double angle) const;
 
   /// Adds elements as they stand, whatever the defaults of the file say of such.
   pugi::xml_node append(pugi::xml_node parent, const Xml& element);
@@ -32,11 +38,11 @@ class MjcfDocument {
   [[nodiscard]] std::string text(const std::vector<std::string>& lines) { return text_of(document_, lines); }
 
  private:
-  void number(pugi::xml_node body);
+  void include(pugi::xml_node parent, const std::filesystem::path& folder, std::set<std::string>& included);
+  [[nodiscard]] bool in_degrees() const;
 
   std::string file_;
   pugi::xml_document document_;
-  bool degrees_ = true;
 };
 
 }  // namespace plumbline::exchange

@@ -2,16 +2,15 @@
 /// \file
 /// Keyframes of an edited MJCF.
 
-#include <mujoco/mujoco.h>
-
-#include "diagnose/exchange/mjcf_document.hpp"
+#include "diagnose/exchange/mjcf_scene.hpp"
 #include "diagnose/exchange/tree.hpp"
 
 namespace plumbline::exchange {
 
 /// Says in every keyframe what it lacks of joints and actuators that were added: joints at ease, the drive
 /// led to where it starts.
-/// \param own  the model as it was
-void extend_keys(MjcfDocument& document, const mjModel& own, Pair start);
+/// \param scene      the model as it was, whose document has been edited since
+/// \param actuators  how many it had
+void extend_keys(MjcfScene& scene, std::size_t actuators, Pair start);
 
 }  // namespace plumbline::exchange

@@ -8,32 +8,12 @@
 #include <vector>
 
 #include "diagnose/bench/nominal_chain.hpp"
+#include "diagnose/exchange/read_joint.hpp"
 
 namespace plumbline::exchange {
 
-/// A joint as a simulator's model has it, in the model's reference configuration, and all that moves with it
-/// before the next joint.
-struct ReadJoint {
-  std::string name;
-  std::string carrier;  ///< name of the joint that it moves with; empty at the base
-  bool hinge = true;
-  Eigen::Vector3d axis, anchor;  ///< in the world
-  double stiffness = 0;
-  double rest = 0;  ///< how far the angle at which the spring is at ease is from that of the reference
-  double mass = 0;
-  Eigen::Vector3d middle = Eigen::Vector3d::Zero();  ///< centre of mass, in the world
-};
-
-struct ReadModel {
-  std::vector<ReadJoint> joints;
-  std::optional<Eigen::Vector3d> end;  ///< a point of the last link, where the model names one
-  std::string end_name;
-  int end_site = -1;  ///< its number, where the model has sites
-  Eigen::Vector3d gravity = Eigen::Vector3d::Zero();
-  std::vector<std::string> left_out;  ///< what else the model has: "frictionloss of q1"
-};
-
-/// Whether a site, frame or link of this name is an end point.
+/// Whether a site, frame or link of this name is an end point: one of its words is end, tip, tool, tcp or the
+/// like.
 bool names_an_end(const std::string& name);
 
 /// The plane of a chain: x and y such that angles count about x × y. In a vertical plane y is upward.
@@ -56,10 +36,16 @@ struct PlanarChain {
   std::vector<std::string> notes;  ///< which joints were taken, what was assumed, what was left out
   Plane plane = {};
   std::vector<TakenJoint> joints = {};  ///< from the base on
+  std::vector<std::string> names = {};  ///< of the joints, likewise
+  bool weighs = false;                  ///< whether the model has gravity at all
+  std::optional<ReadPoint> end = {};    ///< where the model names the end point
 };
 
 /// \param source  named in errors
+/// \param kept    the joints that make the chain; the others are held as the reference configuration has
+///                them. Empty: all
 /// \throws Error, one line, that says what is not planar, not serial, or no hinge
-PlanarChain planar_chain(const ReadModel& model, const std::string& source);
+PlanarChain planar_chain(const ReadModel& model, const std::string& source,
+                         const std::vector<std::string>& kept = {});
 
 }  // namespace plumbline::exchange

@@ -1,158 +1,138 @@
 #include "diagnose/exchange/read_sdf.hpp"
 
-#include <Eigen/Geometry>
-#include <map>
 #include <plumbline/base/error.hpp>
-#include <sdf/sdf.hh>
 
-#include "diagnose/exchange/urdf_end.hpp"
 #include "support/files/printable.hpp"
-#include "support/files/text_file.hpp"
 
 namespace plumbline::exchange {
 namespace {
 
 using Eigen::Vector3d;
-using ignition::math::Pose3d;
+using pugi::xml_node;
 
-Vector3d vector(const ignition::math::Vector3d& v) {
-  return {v.X(), v.Y(), v.Z()};
-}
-
-class Reader {
+class SdfReader {
  public:
-  explicit Reader(const std::string& file) : file_(file) {
-    sdf::Console::Instance()->SetQuiet(true);
-    // The parser sees a URDF's end only where it is told to keep it.
-    demand(file.ends_with(".urdf") ? root_.LoadSdfString(with_end_kept(files::read_text(file)))
-                                   : root_.Load(file));
-    world_ = root_.WorldCount() > 0 ? root_.WorldByIndex(0) : nullptr;
-    model_ = root_.Model();
-    if (model_ == nullptr && world_ != nullptr && world_->ModelCount() == 1) model_ = world_->ModelByIndex(0);
-    if (model_ == nullptr) throw Error(file, "no model, or several", "one model");
-  }
-
-  std::map<std::string, Eigen::Matrix3d> rotations() {
-    for (std::uint64_t l = 0; l < model_->LinkCount(); ++l) turn(*model_->LinkByIndex(l));
-    for (std::uint64_t j = 0; j < model_->JointCount(); ++j) turn(*model_->JointByIndex(j));
-    for (std::uint64_t f = 0; f < model_->FrameCount(); ++f) turn(*model_->FrameByIndex(f));
-    return std::move(turned_);
-  }
+  explicit SdfReader(const std::filesystem::path& file) : tree_(file) {}
 
   ReadModel read() {
-    for (std::uint64_t j = 0; j < model_->JointCount(); ++j) join(*model_->JointByIndex(j));
-    for (std::uint64_t j = 0; j < model_->JointCount(); ++j) add_joint(*model_->JointByIndex(j));
-    for (std::uint64_t l = 0; l < model_->LinkCount(); ++l) add_mass(*model_->LinkByIndex(l));
-    find_end();
-    result_.gravity = world_ != nullptr ? vector(world_->Gravity()) : Vector3d(0, 0, -9.8);
-    if (world_ == nullptr) result_.left_out.push_back("no gravity of its own: -9.8 along z");
+    for (const auto& [name, part] : tree_.parts())
+      if (is(part, "joint") && !is_fixed(part)) add_joint(name, part);
+    for (const auto& [name, part] : tree_.parts()) {
+      if (is(part, "link")) add_link(name, part);
+      if (is(part, "frame")) add_end("frame", name, tree_.link_of(name));
+    }
+    add_gravity();
+    if (tree_.world && tree_.world.child("include")) result_.left_out.emplace_back("what the world includes");
     return std::move(result_);
   }
 
  private:
-  void demand(const sdf::Errors& errors) const {
-    if (!errors.empty())
-      throw Error(file_, files::shown(errors.front().Message()), "a model that sdformat reads");
-  }
+  using Part = SdfTree::Part;
+  static bool is(const Part& part, const std::string& kind) { return part.element.name() == kind; }
+  static bool is_fixed(const Part& joint) { return type_of(joint) == "fixed"; }
+  static std::string type_of(const Part& joint) { return joint.element.attribute("type").value(); }
+  [[nodiscard]] std::string place(const Part& part) const { return place_of(tree_.file(), part.element); }
 
-  template <class Part>
-  [[nodiscard]] Pose3d pose(const Part& part) const {
-    Pose3d in_model;
-    demand(part.SemanticPose().Resolve(in_model, "__model__"));
-    return in_model;
-  }
-
-  template <class Part>
-  void turn(const Part& part) {
-    const auto rot = pose(part).Rot();
-    turned_[part.Name()] = Eigen::Quaterniond(rot.W(), rot.X(), rot.Y(), rot.Z()).toRotationMatrix();
-  }
-
-  /// How a link hangs on another.
-  struct Hold {
-    std::string parent;
-    const sdf::Joint* joint;
-  };
-
-  void join(const sdf::Joint& joint) {
-    std::string parent, child;
-    demand(joint.ResolveParentLink(parent));
-    demand(joint.ResolveChildLink(child));
-    if (!held_.emplace(child, Hold{parent, &joint}).second)
-      throw Error(file_, "link " + child + " on two joints", "a serial chain");
+  [[nodiscard]] double number(xml_node holder, const char* child, double otherwise, const Part& part) const {
+    const xml_node said = holder.child(child);
+    return said ? number_in(said.text().get(), place(part) + ": " + child) : otherwise;
   }
 
   /// The joint that a link moves with: its own, or of the link to which it is fixed.
-  [[nodiscard]] std::string joint_of(const std::string& link) const {
-    for (auto hold = held_.find(link); hold != held_.end(); hold = held_.find(hold->second.parent))
-      if (hold->second.joint->Type() != sdf::JointType::FIXED) return hold->second.joint->Name();
-    return "";
-  }
-
-  void add_joint(const sdf::Joint& own) {
-    if (own.Type() == sdf::JointType::FIXED) return;
-    std::string parent;
-    demand(own.ResolveParentLink(parent));
-    ReadJoint joint;
-    joint.name = files::shown(own.Name());
-    joint.carrier = joint_of(parent);
-    joint.hinge = own.Type() == sdf::JointType::REVOLUTE || own.Type() == sdf::JointType::CONTINUOUS;
-    joint.anchor = vector(pose(own).Pos());
-    const sdf::JointAxis* axis = own.Axis();
-    if (axis == nullptr) throw Error(file_, "joint " + joint.name + " without an axis", "hinges alone");
-    ignition::math::Vector3d along;
-    demand(axis->ResolveXyz(along, "__model__"));
-    joint.axis = vector(along);
-    joint.stiffness = axis->SpringStiffness();
-    joint.rest = axis->SpringReference();
-    if (axis->Friction() > 0) result_.left_out.push_back("friction of " + joint.name);
-    if (joint.hinge && axis->Upper() - axis->Lower() < 6.2)
-      result_.left_out.push_back("range of " + joint.name);
-    result_.joints.push_back(std::move(joint));
-  }
-
-  void add_mass(const sdf::Link& link) {
-    const std::string name = joint_of(link.Name());
-    const double mass = link.Inertial().MassMatrix().Mass();
-    const Vector3d at = vector((pose(link) * link.Inertial().Pose()).Pos());
-    for (ReadJoint& joint : result_.joints) {
-      if (joint.name != name || !(mass > 0)) continue;
-      joint.middle = (joint.mass * joint.middle + mass * at) / (joint.mass + mass);
-      joint.mass += mass;
+  [[nodiscard]] std::string joint_of(std::string link) const {
+    for (std::size_t steps = 0; steps <= tree_.parts().size(); ++steps) {
+      const std::string holder = tree_.holder_of(link);
+      if (holder.empty()) return "";
+      const Part& joint = tree_.parts().at(holder);
+      if (!is_fixed(joint)) return files::shown(holder);
+      link = tree_.link_of(tree_.named_by(joint, "parent"));
     }
+    throw Error(tree_.file(), "links that hang by each other", "a tree of links");
   }
 
-  /// A frame or a link whose name says that it is an end.
-  void find_end() {
-    for (std::uint64_t l = 0; l < model_->LinkCount(); ++l) consider_end("link ", *model_->LinkByIndex(l));
-    for (std::uint64_t f = 0; f < model_->FrameCount(); ++f) consider_end("frame ", *model_->FrameByIndex(f));
+  void add_joint(const std::string& name, const Part& own) {
+    const std::string type = type_of(own);
+    ReadJoint joint;
+    joint.name = files::shown(name);
+    joint.carrier = joint_of(tree_.link_of(tree_.named_by(own, "parent")));
+    joint.hinge = type == "revolute" || type == "continuous";
+    joint.anchor = tree_.pose(name).translation();
+    const xml_node axis = own.element.child("axis"), dynamics = axis.child("dynamics"),
+                   limit = axis.child("limit");
+    if (!axis && joint.hinge) throw Error(place(own), "no <axis>", "one");
+    joint.axis = frame_of_axis(name, own) * direction_of(axis, own);
+    joint.stiffness = number(dynamics, "spring_stiffness", 0, own);
+    joint.rest = number(dynamics, "spring_reference", 0, own);
+    result_.joints.push_back(joint);
+    constexpr double once_around = 6.2, unbounded = 1e16;
+    if (number(dynamics, "friction", 0, own) > 0) result_.left_out.push_back("friction of " + joint.name);
+    if (joint.hinge &&
+        number(limit, "upper", unbounded, own) - number(limit, "lower", -unbounded, own) < once_around)
+      result_.left_out.push_back("range of " + joint.name);
   }
 
-  template <class Part>
-  void consider_end(const char* kind, const Part& part) {
-    const std::string& name = part.Name();
-    if (!names_an_end(name)) return;
-    result_.end = vector(pose(part).Pos());
-    result_.end_name = kind + files::shown(name);
+  [[nodiscard]] Vector3d direction_of(xml_node axis, const Part& own) const {
+    const xml_node xyz = axis.child("xyz");
+    const Vector3d along =
+        xyz ? vector_in(xyz.text().get(), place(own) + ": xyz") : Vector3d(Vector3d::UnitZ());
+    if (!(along.norm() > 1e-14)) throw Error(place(own), "an axis of no length", "a direction");
+    return along;
   }
 
-  std::string file_;
-  sdf::Root root_;
-  const sdf::World* world_ = nullptr;
-  const sdf::Model* model_ = nullptr;
-  std::map<std::string, Hold> held_;
+  /// Until 1.4 axes counted in the frame of the model, later where a switch says so.
+  [[nodiscard]] Eigen::Matrix3d frame_of_axis(const std::string& name, const Part& own) const {
+    const xml_node axis = own.element.child("axis");
+    if (const auto frame = axis.child("xyz").attribute("expressed_in"); frame && *frame.value() != '\0')
+      return tree_.pose(tree_.resolved(frame.value(), own.scope)).linear();
+    const std::string of_model = axis.child("use_parent_model_frame").text().get();
+    constexpr int first_in_own_frame = 5;
+    if (of_model == "true" || of_model == "1" || tree_.version() < first_in_own_frame)
+      return tree_.pose(tree_.resolved("__model__", own.scope)).linear();
+    return tree_.pose(name).linear();
+  }
+
+  void add_link(const std::string& name, const Part& own) {
+    const std::string carrier = joint_of(name), holder = tree_.holder_of(name);
+    if (!holder.empty() && is_fixed(tree_.parts().at(holder))) add_end("link", name, name);
+    const xml_node inertial = own.element.child("inertial");
+    if (inertial.attribute("auto").as_bool()) {
+      result_.left_out.push_back("mass of " + files::shown(name) + ", which its shape has");
+      return;
+    }
+    const double mass = number(inertial, "mass", 1, own);
+    const Vector3d middle = tree_.pose(name) * place_in(inertial, own);
+    for (ReadJoint& joint : result_.joints)
+      if (joint.name == carrier) add_mass(joint, mass, middle);
+  }
+
+  [[nodiscard]] Vector3d place_in(xml_node inertial, const Part& own) const {
+    const std::string text = inertial.child("pose").text().get();
+    if (text.empty()) return Vector3d::Zero();
+    const std::vector<double> pose = numbers_in(text, place(own) + ": pose", 6, 7);
+    return {pose[0], pose[1], pose[2]};
+  }
+
+  void add_end(const char* kind, const std::string& name, const std::string& link) {
+    if (const std::string carrier = joint_of(link); !carrier.empty())
+      result_.ends.push_back({kind, files::shown(name), carrier, tree_.pose(name).translation()});
+  }
+
+  void add_gravity() {
+    Vector3d g(0, 0, -9.8);
+    if (const xml_node said = tree_.world.child("gravity"))
+      g = vector_in(said.text().get(), tree_.file() + ": gravity");
+    result_.gravity = tree_.turn().transpose() * g;
+    if (!tree_.world) result_.left_out.emplace_back("no gravity of its own: -9.8 along z");
+  }
+
+  SdfTree tree_;
   ReadModel result_;
-  std::map<std::string, Eigen::Matrix3d> turned_;
 };
 
 }  // namespace
 
-ReadModel read_sdf(const std::string& file) {
-  return Reader(file).read();
-}
-
-std::map<std::string, Eigen::Matrix3d> sdf_rotations(const std::string& file) {
-  return Reader(file).rotations();
+ReadModel read_sdf(const std::filesystem::path& file) {
+  return SdfReader(file).read();
 }
 
 }  // namespace plumbline::exchange

@@ -1,20 +1,66 @@
 #pragma once
 /// \file
-/// SDF, and URDF with Gazebo's springs, read by sdformat's own parser.
+/// SDF, read without any simulator.
 
-#include <string>
-
+#include <Eigen/Geometry>
+#include <filesystem>
 #include <map>
 #include <string>
 
 #include "diagnose/exchange/planar_chain.hpp"
+#include "diagnose/exchange/xml_document.hpp"
 
 namespace plumbline::exchange {
 
-/// \throws Error with the parser's reason, or where there is not one model in the file
-ReadModel read_sdf(const std::string& file);
+/// The links, joints and frames of the one model in an SDF. A part of a model within the model is named as
+/// SDF does: "arm::elbow".
+class SdfTree {
+ public:
+  /// \throws Error where the file is no SDF, or holds no model or several that move
+  explicit SdfTree(const std::filesystem::path& file);
 
-/// How links, joints and frames of a model are turned in its frame, by name.
-std::map<std::string, Eigen::Matrix3d> sdf_rotations(const std::string& file);
+  pugi::xml_document document;
+  pugi::xml_node world;  ///< none where the model stands alone
+  pugi::xml_node model;
+
+  struct Part {
+    pugi::xml_node element;
+    std::string scope;  ///< "arm::"; empty in the model itself
+  };
+  [[nodiscard]] const std::map<std::string, Part>& parts() const { return parts_; }
+  [[nodiscard]] const std::string& file() const { return file_; }
+  /// The version, 1.7 as 7.
+  [[nodiscard]] int version() const { return version_; }
+  /// The model in its world.
+  [[nodiscard]] Eigen::Matrix3d turn() const { return turn_; }
+
+  /// Where a part is in the frame of the model. \throws Error where it is not there, or said in a circle
+  [[nodiscard]] Eigen::Isometry3d pose(const std::string& name) const;
+  /// The link that a link, frame or joint moves with; "world" for that. \throws Error as pose()
+  [[nodiscard]] std::string link_of(const std::string& name) const;
+  /// A name that is said in a scope, as the model has it.
+  [[nodiscard]] std::string resolved(const std::string& name, const std::string& scope) const;
+  /// The joint that a link hangs by; empty without one.
+  [[nodiscard]] std::string holder_of(const std::string& link) const;
+  /// The name that a child element has, as the model has it.
+  [[nodiscard]] std::string named_by(const Part& part, const char* child) const;
+
+ private:
+  void find_model();
+  void add_parts(pugi::xml_node holder, const std::string& scope);
+  void find_holders();
+  [[nodiscard]] std::string base_of(const Part& part) const;
+  [[nodiscard]] const Part& part(const std::string& name) const;
+
+  std::string file_;
+  int version_ = 0;
+  Eigen::Matrix3d turn_ = Eigen::Matrix3d::Identity();
+  std::map<std::string, Part> parts_;
+  std::map<std::string, std::string> holders_;
+  mutable std::map<std::string, Eigen::Isometry3d> poses_;  ///< those that were asked for
+};
+
+/// \throws Error as SdfTree does, and where a number is none
+ReadModel read_sdf(const std::filesystem::path& file);
 
 }  // namespace plumbline::exchange

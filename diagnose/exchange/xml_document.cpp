@@ -1,19 +1,57 @@
 #include "diagnose/exchange/xml_document.hpp"
 
-#include <iterator>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <plumbline/base/error.hpp>
 #include <sstream>
+#include <utility>
 
+#include "support/files/printable.hpp"
 #include "support/files/text_file.hpp"
 
 namespace plumbline::exchange {
 
 using pugi::xml_node;
 
+namespace {
+
+/// An entity may stand for a file, or for so much text that no memory holds it: none is read.
+void refuse_entities(const pugi::xml_document& document, const std::string& file) {
+  for (const xml_node child : document.children())
+    if (child.type() == pugi::node_doctype &&
+        std::string(child.value()).find("<!ENTITY") != std::string::npos)
+      throw Error(file, "a document type that declares entities", "XML without any");
+}
+
+/// What walks through a model calls itself for every element in an element.
+class Depth : public pugi::xml_tree_walker {
+ public:
+  explicit Depth(std::string file) : file_(std::move(file)) {}
+  bool for_each(xml_node&) override {
+    if (depth() > deepest_element)
+      throw Error(file_, fmt::format("elements more than {} deep", deepest_element), "a shallower model");
+    return true;
+  }
+
+ private:
+  std::string file_;
+};
+
+}  // namespace
+
 void parse(const std::filesystem::path& file, pugi::xml_document& document) {
   const std::string text = files::read_text(file);
-  const auto read = document.load_string(text.c_str(), pugi::parse_full);
-  if (!read) throw Error(file.string(), read.description(), "XML");
+  const auto read = document.load_buffer(text.data(), text.size(), pugi::parse_full, pugi::encoding_utf8);
+  if (!read) {
+    const auto line = 1 + std::count(text.begin(), text.begin() + read.offset, '\n');
+    throw Error(fmt::format("{}:{}", file.string(), line), read.description(), "XML");
+  }
+  refuse_entities(document, file.string());
+  Depth depth(file.string());
+  document.traverse(depth);
 }
 
 void set(xml_node element, const char* attribute, const std::string& value) {
@@ -25,6 +63,10 @@ void set_child(xml_node element, const char* child, const std::string& text) {
   xml_node own = element.child(child);
   if (!own) own = element.append_child(child);
   own.text() = text.c_str();
+}
+
+std::string text_in(xml_node element, const char* child) {
+  return element.child(child).text().get();
 }
 
 xml_node append(xml_node parent, const Xml& element) {
@@ -39,9 +81,41 @@ xml_node named(xml_node parent, const char* kind, const std::string& name) {
   });
 }
 
-std::vector<double> numbers_in(const char* text) {
+std::string place_of(const std::string& file, xml_node element) {
+  const auto name = element.attribute("name");
+  return name ? fmt::format("{}: <{} name=\"{}\">", file, element.name(), files::shown(name.value()))
+              : fmt::format("{}: <{}>", file, files::shown(element.name()));
+}
+
+std::vector<double> numbers_in(const std::string& text, const std::string& place, std::size_t least,
+                               std::size_t most) {
   std::istringstream in(text);
-  return {std::istream_iterator<double>(in), {}};
+  std::vector<double> all;
+  for (std::string word; in >> word;) {
+    const char* const first = word.c_str() + (word[0] == '+' ? 1 : 0);
+    const char* const last = word.c_str() + word.size();
+    double value = NAN;
+    const auto [end, failure] = std::from_chars(first, last, value);
+    if (failure != std::errc() || end != last || !std::isfinite(value))
+      throw Error(place, files::shown(word), "a number");
+    all.push_back(value);
+    if (all.size() > most) break;
+  }
+  if (all.size() < least || all.size() > most)
+    throw Error(
+        place,
+        all.size() > most ? fmt::format("more than {} numbers", most) : fmt::format("{} numbers", all.size()),
+        least == most ? fmt::format("{}", least) : fmt::format("{} to {}", least, most));
+  return all;
+}
+
+double number_in(const std::string& text, const std::string& place) {
+  return numbers_in(text, place, 1, 1).front();
+}
+
+Eigen::Vector3d vector_in(const std::string& text, const std::string& place) {
+  const std::vector<double> all = numbers_in(text, place, 3, 3);
+  return {all[0], all[1], all[2]};
 }
 
 std::string text_of(pugi::xml_document& document, const std::vector<std::string>& lines) {

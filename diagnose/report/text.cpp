@@ -18,7 +18,7 @@ std::string percent(double share) {
   return fmt::format("{:.0f} %", 100 * share);
 }
 
-/// Of a ratio, with three figures.
+/// A ratio as a percentage with three figures.
 std::string precise_percent(double ratio) {
   return fmt::format("{:.3g} %", 100 * ratio);
 }

@@ -19,7 +19,7 @@ Experiment alone(const Experiment& experiment, const Run& run) {
   return one;
 }
 
-/// Mean square, in declared noise, of what a prediction leaves; infinite where it does not get there.
+/// Mean square residual of a prediction, in declared sigmas; infinite where the prediction fails.
 double left(const Study& study, const Prediction& predicted) {
   if (!predicted.reached) return std::numeric_limits<double>::infinity();
   double sum = 0, count = 0;
@@ -41,7 +41,7 @@ std::optional<Branch> branch_of(const Trace& there, const Trace& other) {
   return branch.first() < branch.differs.size() ? std::optional(branch) : std::nullopt;
 }
 
-/// The side that the readings of the one run are on; nothing where the nominal chain goes there by itself.
+/// The branch of the readings of a single run; nothing where the nominal chain follows it by itself.
 std::optional<Branch> branch_of(const Experiment& one) {
   const Study study(one);
   const double now = left(study, study.nominal());

@@ -76,9 +76,9 @@ CharacteristicScales characteristic_scales(const Experiment& experiment) {
     if (const double pause = run.sampling_interval(); pause > 0)
       size.sampling_interval = size.sampling_interval > 0 ? std::min(size.sampling_interval, pause) : pause;
     size.measures_force = size.measures_force || reads_force(run);
-    size.imposes_force = size.imposes_force || (!run.holds_end_point() && any_reading(run, [&](const Reading& one) {
-                                                 return run.command(one).norm() > 0;
-                                               }));
+    size.imposes_force = size.imposes_force ||
+                         (!run.holds_end_point() &&
+                          any_reading(run, [&](const Reading& one) { return run.command(one).norm() > 0; }));
     size.pivot = size.pivot || !run.by_weights;
     size.load_cell = size.load_cell || reads_force(run) || !(run.holds_end_point() || run.by_weights);
     size.clock = size.clock || !run.counts_readings();
@@ -92,7 +92,7 @@ CharacteristicScales characteristic_scales(const Experiment& experiment) {
   }
   size.runs = experiment.run_count;
   find_plateau(experiment, size);
-  // Where no force acts, as in a sag test, the force that turns a joint by a tenth of a radian is typical.
+  // Without forces, as in a sag test, the typical force turns a joint by a tenth of a radian.
   const double force = typical_force(experiment), unit = size.stiffness / size.length;
   size.force = force > 0 ? std::max(force, 1e-4 * unit) : 0.1 * unit;
   size.duration = std::max(size.duration, 1e-3);

@@ -76,7 +76,7 @@ struct Rig {
   Vector2 position_offset = Vector2::Zero();  ///< d_x, d_y, m
   double pulley_friction = 0;                 ///< mu: an imposed force acts times exp(-mu) while it grows
 
-  // What reads the place of the end point under imposed forces.
+  // The camera that reads the end point under imposed forces.
   double place_scale = 0;  ///< it shows 1 + a times the distance from the base
   double place_turn = 0;   ///< in axes turned by this, rad
 
@@ -107,7 +107,7 @@ struct Rig {
 /// The rig in the run of that number.
 Rig in_run(const Rig& rig, std::size_t run);
 
-/// Where the end point of the nominal chain lies at rest.
+/// The end point of the nominal chain at rest.
 Vector2 unloaded_end(const Experiment& experiment, const std::vector<double>& rest);
 
 }  // namespace plumbline::diagnose

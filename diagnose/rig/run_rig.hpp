@@ -72,7 +72,7 @@ struct Layout {
   }
   [[nodiscard]] std::size_t first(std::size_t link) const { return link * nodes_per_link(); }
   [[nodiscard]] std::size_t last(std::size_t link) const { return first(link) + nodes_per_link() - 1; }
-  /// Of the stiffness: 1, 2 or 4.
+  /// Half-bandwidth of the stiffness: 1, 2 or 4.
   [[nodiscard]] int bandwidth() const { return (bending ? 2 : 1) * (coupled ? 2 : 1); }
   /// q_i of a shape, i from 0.
   [[nodiscard]] double joint_angle(const Vector<double>& angle, std::size_t i) const {

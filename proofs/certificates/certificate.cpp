@@ -2,21 +2,15 @@
 
 #include <nlohmann/json.hpp>
 
-#include "support/files/sha256.hpp"
 #include "proofs/exact/decimal.hpp"
 #include "proofs/exact/exact_chain.hpp"
 #include "proofs/exact/exact_list.hpp"
+#include "support/files/sha256.hpp"
 
 namespace plumbline::proofs {
 namespace {
 
 using nlohmann::json;
-
-json to_json(const ForceEnclosure& force, int digits) {
-  return {{"mode", force.index},          {"digits", digits},
-          {"low", to_exact(force.low)},   {"high", to_exact(force.high)},
-          {"below_low", force.below_low}, {"below_high", force.below_high}};
-}
 
 json to_json(const ShapeEnclosure& shape) {
   return {{"first", shape.part.first + 1},
@@ -36,6 +30,12 @@ json to_json(const Tie& tie) {
 }
 
 }  // namespace
+
+json to_json(const ForceEnclosure& force, int digits) {
+  return {{"mode", force.index},          {"digits", digits},
+          {"low", to_exact(force.low)},   {"high", to_exact(force.high)},
+          {"below_low", force.below_low}, {"below_high", force.below_high}};
+}
 
 json certificate(const std::string& name, const Chain<Rational>& chain, const CertifiedModes& modes) {
   json result{{"chain", name},

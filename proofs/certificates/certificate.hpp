@@ -11,6 +11,9 @@
 
 namespace plumbline::proofs {
 
+/// A force's bounds, with how many lie below each.
+nlohmann::json to_json(const ForceEnclosure& force, int digits);
+
 /// The entry of one chain and its certified modes.
 nlohmann::json certificate(const std::string& name, const Chain<Rational>& chain,
                            const CertifiedModes& modes);

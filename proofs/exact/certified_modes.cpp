@@ -7,7 +7,7 @@
 namespace plumbline::proofs {
 namespace {
 
-std::vector<Tie> ties_among(const Chain<Rational>& chain, const std::vector<ForceEnclosure>& forces) {
+std::vector<Tie> ties_among(const StraightChain<Rational>& chain, const std::vector<ForceEnclosure>& forces) {
   std::vector<Tie> ties;
   for (const ForceEnclosure& force : forces) {
     if (!ties.empty() && ties.back().low == force.low) continue;
@@ -29,7 +29,7 @@ std::optional<ChainPart> buckling_part(const ExactCount& count, const ForceEnclo
 }
 
 /// The shapes of the first so many modes; nothing when they need narrower bounds.
-std::optional<std::vector<ShapeEnclosure>> enclose_shapes(const Chain<Rational>& chain,
+std::optional<std::vector<ShapeEnclosure>> enclose_shapes(const StraightChain<Rational>& chain,
                                                           const CertifiedModes& modes, std::size_t wanted) {
   const ExactCount count(chain);
   std::vector<ShapeEnclosure> shapes;
@@ -53,7 +53,8 @@ bool round_alike(const CertifiedModes& modes) {
 
 }  // namespace
 
-CertifiedModes certify(const Chain<Rational>& chain, std::size_t forces, std::size_t shapes, int digits) {
+CertifiedModes certify(const StraightChain<Rational>& chain, std::size_t forces, std::size_t shapes,
+                       int digits) {
   CertifiedModes modes{digits, {}, {}, {}};
   for (int spare = shapes > 0 ? 8 : 0;; spare += spare / 2 + 8) {
     modes.forces = enclose_critical_forces(chain, forces, digits + spare);

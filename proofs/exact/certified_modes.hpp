@@ -20,7 +20,8 @@ struct CertifiedModes {
 /// wanted are told apart, however close, unless they are equal; then each part of the chain brings its own
 /// shape.
 /// \throws Error for n = 1 or a mechanism
-CertifiedModes certify(const Chain<Rational>& chain, std::size_t forces, std::size_t shapes, int digits);
+CertifiedModes certify(const StraightChain<Rational>& chain, std::size_t forces, std::size_t shapes,
+                       int digits);
 
 /// The critical force of a mode, from 1, rounded to the digits that are certified.
 std::string certified_force(const CertifiedModes& modes, std::size_t mode);

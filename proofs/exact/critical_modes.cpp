@@ -17,7 +17,7 @@ namespace {
 
 /// The force rounded to nearest. Where its bounds do not settle that, it lies next to the number half-way
 /// between two decimals, or on it, and an exact count says on which side.
-std::string rounded(const ForceEnclosure& force, const Chain<Rational>& chain, int digits) {
+std::string rounded(const ForceEnclosure& force, const StraightChain<Rational>& chain, int digits) {
   const std::string low = to_decimal(force.low, digits), high = to_decimal(force.high, digits);
   if (low == high) return low;
   const Rational half_way = (*parse_decimal(low) + *parse_decimal(high)) / 2;
@@ -30,7 +30,7 @@ std::size_t first_bent(const Mode<Mpfr>& mode) {
 }
 
 /// Whether two forces that so many digits hardly tell apart are equal.
-bool tied(const Chain<Rational>& chain, std::size_t index, const Mpfr& first, const Mpfr& second,
+bool tied(const StraightChain<Rational>& chain, std::size_t index, const Mpfr& first, const Mpfr& second,
           int digits) {
   const Rational slack = 1 + shifted(Rational(1), 12 - digits);
   const ExactCount count(chain);
@@ -41,11 +41,13 @@ bool tied(const Chain<Rational>& chain, std::size_t index, const Mpfr& first, co
 
 /// The lowest modes, computed with so many digits, in the order of their forces; those of equal forces in the
 /// order of the parts that bend. Nothing where the digits do not tell the order.
-std::optional<std::vector<Mode<Mpfr>>> modes_with(int digits, const Chain<Rational>& chain,
+std::optional<std::vector<Mode<Mpfr>>> modes_with(int digits, const StraightChain<Rational>& chain,
                                                   std::size_t lowest) {
   const WorkingPrecision precision(digits);
+  const auto rounded = from_rational<Mpfr>(chain.chain);
   // one more, which may be as low as the last one wanted
-  auto modes = critical_modes(from_rational<Mpfr>(chain), std::min(lowest, mode_count(chain)) + 1);
+  auto modes = critical_modes(StraightChain<Mpfr>(rounded, chain.end_point),
+                              std::min(lowest, mode_count(chain.chain)) + 1);
   const Mpfr close = pow(Mpfr(10), 8 - digits);
   for (std::size_t m = 0; m + 1 < modes.size(); ++m) {
     if (modes[m + 1].force - modes[m].force > close * modes[m].force) continue;
@@ -87,7 +89,8 @@ ShapeInLanes shape_in_digits(const Mode<Mpfr>& mode, const Mode<Mpfr>& with_more
 }
 
 /// The shapes of the lowest modes, all in numbers of as many digits as tell their order.
-std::vector<ShapeInLanes> shapes_in_digits(const Chain<Rational>& chain, std::size_t lowest, int digits) {
+std::vector<ShapeInLanes> shapes_in_digits(const StraightChain<Rational>& chain, std::size_t lowest,
+                                           int digits) {
   for (int working_digits = digits + 30;; working_digits *= 2) {
     const auto modes = modes_with(working_digits, chain, lowest);
     const auto again = modes_with(working_digits + 20, chain, lowest);
@@ -101,7 +104,7 @@ std::vector<ShapeInLanes> shapes_in_digits(const Chain<Rational>& chain, std::si
 }
 
 /// One of them from where its force is known to be; nothing where that does not lead there.
-std::optional<Mode<Mpfr>> mode_near(const ForceInLanes& force, const Chain<Mpfr>& chain,
+std::optional<Mode<Mpfr>> mode_near(const ForceInLanes& force, const StraightChain<Mpfr>& chain,
                                     const detail::BeadString<Mpfr>& string) {
   const auto pieces = string.pieces();
   const auto root = detail::refined(pieces[force.part], force.index, Mpfr(force.value));
@@ -119,9 +122,9 @@ bool apart(const std::vector<ForceInLanes>& forces) {
 
 /// Shapes in lanes, and in more digits where two doubles leave something open; nothing where they leave the
 /// order of the modes open, or a mode is not where they say.
-std::optional<std::vector<ShapeInLanes>> shapes_mostly_in_lanes(const Chain<Rational>& chain,
+std::optional<std::vector<ShapeInLanes>> shapes_mostly_in_lanes(const StraightChain<Rational>& chain,
                                                                 std::size_t lowest, int digits) {
-  std::vector<ForceInLanes> forces = forces_in_lanes(chain, std::min(lowest, mode_count(chain)) + 1);
+  std::vector<ForceInLanes> forces = forces_in_lanes(chain, std::min(lowest, mode_count(chain.chain)) + 1);
   if (forces.empty() || !apart(forces)) return std::nullopt;
   if (forces.size() > lowest) forces.resize(lowest);
   auto shapes = shapes_in_lanes(chain, forces);
@@ -132,10 +135,11 @@ std::optional<std::vector<ShapeInLanes>> shapes_mostly_in_lanes(const Chain<Rati
   std::vector<std::optional<Mode<Mpfr>>> modes(open.size()), again(open.size());
   const auto compute = [&](auto& result, int working_digits) {
     const WorkingPrecision precision(working_digits);
-    const auto exact = from_rational<Mpfr>(chain);
-    const detail::BeadString<Mpfr> string(exact);
-    in_parallel(open.size(), threads_for(open.size(), chain.size()),
-                [&](std::size_t o) { result[o] = mode_near(forces[open[o]], exact, string); });
+    const auto exact = from_rational<Mpfr>(chain.chain);
+    const StraightChain<Mpfr> straight(exact, chain.end_point);
+    const detail::BeadString<Mpfr> string(straight);
+    in_parallel(open.size(), threads_for(open.size(), chain.chain.size()),
+                [&](std::size_t o) { result[o] = mode_near(forces[open[o]], straight, string); });
   };
   if (!open.empty()) {
     compute(again, digits + 50);
@@ -153,10 +157,11 @@ std::optional<std::vector<ShapeInLanes>> shapes_mostly_in_lanes(const Chain<Rati
 
 }  // namespace
 
-std::vector<CriticalMode> modes_in_decimals(const Chain<Rational>& chain, std::size_t lowest, int digits) {
+std::vector<CriticalMode> modes_in_decimals(const StraightChain<Rational>& chain, std::size_t lowest,
+                                            int digits) {
   std::vector<CriticalMode> modes = forces_in_decimals(chain, lowest, digits);
   std::optional<std::vector<ShapeInLanes>> shapes;
-  if (chain.size() >= long_chain) shapes = shapes_mostly_in_lanes(chain, lowest, digits);
+  if (chain.chain.size() >= long_chain) shapes = shapes_mostly_in_lanes(chain, lowest, digits);
   if (!shapes) shapes = shapes_in_digits(chain, lowest, digits);
   for (std::size_t m = 0; m < modes.size(); ++m) {
     modes[m].signs = std::move((*shapes)[m].signs);
@@ -166,7 +171,8 @@ std::vector<CriticalMode> modes_in_decimals(const Chain<Rational>& chain, std::s
   return modes;
 }
 
-std::vector<CriticalMode> forces_in_decimals(const Chain<Rational>& chain, std::size_t lowest, int digits) {
+std::vector<CriticalMode> forces_in_decimals(const StraightChain<Rational>& chain, std::size_t lowest,
+                                             int digits) {
   std::vector<CriticalMode> modes;
   for (const ForceEnclosure& force : enclose_critical_forces(chain, lowest, digits)) {
     const std::string text = rounded(force, chain, digits);

@@ -3,6 +3,7 @@
 /// The numbers that the verb `critical` shows, right in every digit.
 
 #include <plumbline/chain/mode.hpp>
+#include <plumbline/straight/straight_chain.hpp>
 #include <string>
 #include <vector>
 
@@ -20,9 +21,11 @@ struct CriticalMode {
 /// The lowest critical forces, to so many significant digits, with their modes; all when `lowest` is n - 1 or
 /// more.
 /// \throws Error for n = 1 or a mechanism
-std::vector<CriticalMode> modes_in_decimals(const Chain<Rational>& chain, std::size_t lowest, int digits);
+std::vector<CriticalMode> modes_in_decimals(const StraightChain<Rational>& chain, std::size_t lowest,
+                                            int digits);
 
 /// The same without the shapes: q and signs are empty.
-std::vector<CriticalMode> forces_in_decimals(const Chain<Rational>& chain, std::size_t lowest, int digits);
+std::vector<CriticalMode> forces_in_decimals(const StraightChain<Rational>& chain, std::size_t lowest,
+                                             int digits);
 
 }  // namespace plumbline::proofs

@@ -51,9 +51,15 @@ std::vector<ChainPart> parts(const Chain<Rational>& chain) {
   return {{0, last}};
 }
 
-ExactCount::ExactCount(const Chain<Rational>& chain) : parts_(plumbline::proofs::parts(chain)) {
-  const Rational per_length = clear_denominators(chain.length(), length_);
-  per_force_ = clear_denominators(chain.stiffness(), stiffness_) / per_length;
+ExactCount::ExactCount(const StraightChain<Rational>& straight)
+    : end_point_(straight.end_point), parts_(plumbline::proofs::parts(straight.chain)) {
+  const Rational per_length = clear_denominators(straight.chain.length(), length_);
+  const Rational per_stiffness = clear_denominators(straight.chain.stiffness(), stiffness_);
+  per_force_ = per_stiffness / per_length;
+  if (end_point_ == EndPoint::free) {
+    distance_.assign(length_.size(), Integer(1));
+    return;
+  }
   distance_.resize(length_.size());
   Integer sum(0);
   for (std::size_t i = length_.size(); i-- > 0;) distance_[i] = sum += length_[i];
@@ -82,7 +88,7 @@ std::vector<std::size_t> ExactCount::below(const std::vector<Rational>& forces, 
   for (const Rational& F : forces) scaled.push_back(F * per_force_);
   RoundedCount::Counts counts(forces.size());
   if (rounding_pays(parts_[part].last - parts_[part].first, scaled))
-    counts = RoundedCount(length_, stiffness_, part).below(scaled);
+    counts = RoundedCount(length_, stiffness_, end_point_, part).below(scaled);
   std::vector<std::size_t> result(forces.size());
   in_parallel(forces.size(), threads_for(forces.size(), length_.size()), [&](std::size_t i) {
     result[i] = counts[i] ? *counts[i] : exactly_below(scaled[i], parts_[part]);

@@ -7,12 +7,12 @@
 ///
 ///     t = D z_{i+1} M_i - P L_i h_i;   h_{i+1} = D z_i k_{i+1} h_i + z_{i+1} t,   M_{i+1} = k_{i+1} t.
 ///
-/// No common factor is ever sought, which is what exact fractions spend their time on; still the integers
-/// grow along the chain, and a count costs O(n^2) operations on words. They decide what is left open by
-/// counts in rounded arithmetic on either side of the force, of more and more digits: where these agree,
-/// theorem "Rounded counts" makes them the exact count.
+/// With a free end point all z are one (straight_chain.hpp). No common factor is ever sought, which is what
+/// exact fractions spend their time on; still the integers grow along the chain, and a count costs O(n^2)
+/// operations on words. They decide what is left open by counts in rounded arithmetic on either side of the
+/// force, of more and more digits: where these agree, theorem "Rounded counts" makes them the exact count.
 
-#include <plumbline/chain/chain.hpp>
+#include <plumbline/straight/straight_chain.hpp>
 #include <vector>
 
 namespace plumbline::proofs {
@@ -33,7 +33,8 @@ std::vector<ChainPart> parts(const Chain<Rational>& chain);
 class ExactCount {
  public:
   /// \throws Error for n = 1 or a mechanism
-  explicit ExactCount(const Chain<Rational>& chain);
+  explicit ExactCount(const StraightChain<Rational>& chain);
+  explicit ExactCount(const Chain<Rational>& guided) : ExactCount(StraightChain<Rational>(guided)) {}
 
   /// The number of critical forces below F.
   [[nodiscard]] std::size_t below(const Rational& F) const;
@@ -47,6 +48,7 @@ class ExactCount {
   [[nodiscard]] std::vector<std::size_t> below(const std::vector<Rational>& forces, std::size_t part) const;
   [[nodiscard]] std::size_t exactly_below(const Rational& scaled, const ChainPart& part) const;
 
+  EndPoint end_point_;
   std::vector<ChainPart> parts_;
   std::vector<Integer> length_, distance_, stiffness_;
   Rational per_force_;  ///< force of the chain of integers over the force of the given one

@@ -5,13 +5,13 @@
 
 namespace plumbline::proofs {
 
-std::vector<ForceInLanes> forces_in_lanes(const Chain<Rational>& chain, std::size_t lowest) {
-  const auto wide = from_rational<Wide>(chain);
+std::vector<ForceInLanes> forces_in_lanes(const StraightChain<Rational>& chain, std::size_t lowest) {
+  const auto wide = from_rational<Wide>(chain.chain);
   const auto narrow = detail::narrowed<double>(wide);
   if (!narrow) return {};
-  const auto near = detail::lowest_roots_in_range(*narrow, lowest);
+  const auto near = detail::lowest_roots_in_range({*narrow, chain.end_point}, lowest);
   if (!near) return {};
-  const detail::BeadString<Wide> string(wide);
+  const detail::BeadString<Wide> string({wide, chain.end_point});
   std::vector<ForceInLanes> forces;
   for (std::size_t part = 0; part < near->size(); ++part) {
     const std::vector<Wide> rough((*near)[part].begin(), (*near)[part].end());

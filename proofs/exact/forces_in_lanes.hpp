@@ -3,7 +3,7 @@
 /// Critical forces to the digits of two doubles (string_in_lanes.hpp): good enough to say where to count, and
 /// to begin from with more digits.
 
-#include <plumbline/chain/chain.hpp>
+#include <plumbline/straight/straight_chain.hpp>
 
 #include "proofs/exact/string_in_lanes.hpp"
 
@@ -17,7 +17,7 @@ struct ForceInLanes {
 
 /// The lowest critical forces, ascending: so many, or all. None where the chain leaves the range of double.
 /// \throws Error for n = 1 or a mechanism
-std::vector<ForceInLanes> forces_in_lanes(const Chain<Rational>& chain, std::size_t lowest);
+std::vector<ForceInLanes> forces_in_lanes(const StraightChain<Rational>& chain, std::size_t lowest);
 
 /// Significant digits that they have, nearly always, at the end of a string of a million beads.
 constexpr int lane_digits = 28;

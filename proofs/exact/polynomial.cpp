@@ -108,4 +108,36 @@ std::size_t distinct_positive_roots(const Polynomial& p) {
   return distinct_negative_roots(mirrored);
 }
 
+SturmSequence::SturmSequence(const Polynomial& p) {
+  if (p.empty()) throw Error("polynomial", "zero", "a polynomial that is not identically zero");
+  terms_ = sturm_sequence(p);
+}
+
+std::size_t SturmSequence::distinct_roots(const Rational& low, const Rational& high) const {
+  const auto changes = [&](const Rational& x) {
+    std::vector<int> signs;
+    for (const Polynomial& term : terms_) signs.push_back(evaluate(term, x).sign());
+    return sign_changes(signs);
+  };
+  return changes(low) - changes(high);
+}
+
+Rational discriminant(const Polynomial& p) {
+  // Euclid's algorithm: Res(f, g) = (-1)^(mn) lc(g)^(m - deg r) Res(g, r), r the remainder of f by g
+  Polynomial f = p, g = derivative(p);
+  Rational result = 1;
+  while (g.size() > 1) {
+    const std::size_t m = f.size() - 1, n = g.size() - 1;
+    Polynomial r = remainder(f, g);
+    if (r.empty()) return 0;
+    for (std::size_t i = 0; i < m - (r.size() - 1); ++i) result *= g.back();
+    if (m * n % 2 == 1) result = -result;
+    f = std::move(g);
+    g = std::move(r);
+  }
+  for (std::size_t i = 1; i < f.size(); ++i) result *= g.empty() ? Rational(0) : g.back();
+  const std::size_t degree = p.size() - 1;
+  return (degree * (degree - 1) / 2) % 2 == 1 ? Rational(-result / p.back()) : Rational(result / p.back());
+}
+
 }  // namespace plumbline::proofs

@@ -30,4 +30,19 @@ std::size_t distinct_negative_roots(const Polynomial& p);
 /// The same for x > 0.
 std::size_t distinct_positive_roots(const Polynomial& p);
 
+/// Sturm's sequence of a polynomial, for many questions about its real roots.
+class SturmSequence {
+ public:
+  /// \throws Error for p = 0
+  explicit SturmSequence(const Polynomial& p);
+  /// The number of distinct roots in (low, high], neither of which is a multiple root.
+  [[nodiscard]] std::size_t distinct_roots(const Rational& low, const Rational& high) const;
+
+ private:
+  std::vector<Polynomial> terms_;
+};
+
+/// Zero exactly where two roots of p, of degree one or more, are equal.
+Rational discriminant(const Polynomial& p);
+
 }  // namespace plumbline::proofs

@@ -63,7 +63,7 @@ RoundedCount::Counts RoundedCount::below(const std::vector<Rational>& forces) co
 
 void RoundedCount::in_lanes(const std::vector<Rational>& forces, Counts& counts) const {
   const auto chain = rounded<Wide>(length_, stiffness_);
-  const detail::BeadString<Wide> string(chain);
+  const detail::BeadString<Wide> string({chain, end_point_});
   std::vector<Wide> beside;
   for (const Rational& F : forces) {
     const auto [low, high] = around(F, length_.size(), Wide(double_word_unit));
@@ -85,7 +85,7 @@ void RoundedCount::in_turn(const std::vector<Rational>& forces, Counts& counts) 
   }
   if (open.empty()) return;
   const auto chain = rounded<Real>(length_, stiffness_);
-  const detail::BeadString<Real> string(chain);
+  const detail::BeadString<Real> string({chain, end_point_});
   const auto piece = string.pieces()[part_];
   in_parallel(open.size(), available_threads(), [&](std::size_t o) {
     const std::size_t i = open[o];

@@ -9,7 +9,7 @@
 /// certain.
 
 #include <optional>
-#include <plumbline/base/number.hpp>
+#include <plumbline/straight/straight_chain.hpp>
 #include <vector>
 
 namespace plumbline::proofs {
@@ -19,8 +19,9 @@ class RoundedCount {
   using Counts = std::vector<std::optional<std::size_t>>;
 
   /// Of one part (exact_count.hpp) of a chain of integers.
-  RoundedCount(const std::vector<Integer>& length, const std::vector<Integer>& stiffness, std::size_t part)
-      : length_(length), stiffness_(stiffness), part_(part) {}
+  RoundedCount(const std::vector<Integer>& length, const std::vector<Integer>& stiffness, EndPoint end_point,
+               std::size_t part)
+      : length_(length), stiffness_(stiffness), end_point_(end_point), part_(part) {}
 
   /// The number of critical forces of the part below each force; nothing where that stays open.
   [[nodiscard]] Counts below(const std::vector<Rational>& forces) const;
@@ -31,6 +32,7 @@ class RoundedCount {
   void in_turn(const std::vector<Rational>& forces, Counts& counts) const;
 
   const std::vector<Integer>&length_, &stiffness_;
+  EndPoint end_point_;
   std::size_t part_;
 };
 

@@ -32,8 +32,10 @@ Rational size_of(const Rational& x) {
 
 /// Joint angles of the mode, up to a factor, by the recursion of <plumbline/critical_force.hpp>:
 /// q_i = z_i g_i / k_i, and at a passive joint that ends the part h returns to zero.
-std::vector<MpfrInterval> angles(const Chain<Rational>& chain, const ChainPart& part, const MpfrInterval& F) {
-  const std::vector<Rational> z = distance_to_end(chain);
+std::vector<MpfrInterval> angles(const StraightChain<Rational>& straight, const ChainPart& part,
+                                 const MpfrInterval& F) {
+  const Chain<Rational>& chain = straight.chain;
+  const std::vector<Rational> z = straight.arms();
   const auto& k = chain.stiffness();
   std::vector<MpfrInterval> q(chain.size(), MpfrInterval(0));
   MpfrInterval h(1), g = exact(k[part.first] / (z[part.first] * z[part.first]));
@@ -63,7 +65,7 @@ std::optional<std::string> certified_decimal(const MpfrInterval& x, int digits) 
 
 }  // namespace
 
-std::optional<ShapeEnclosure> enclose_shape(const Chain<Rational>& chain, const ChainPart& part,
+std::optional<ShapeEnclosure> enclose_shape(const StraightChain<Rational>& chain, const ChainPart& part,
                                             const Rational& low, const Rational& high, int digits) {
   const Rational spread = high / (high - low);
   const auto force_digits = static_cast<int>(Integer(spread).str().size());

@@ -22,7 +22,7 @@ struct ShapeEnclosure {
 /// The shape, to so many digits (two or more), of the one mode of a part that buckles between two forces;
 /// nothing where these bounds are too wide for that. A recursion in intervals over all forces between the
 /// bounds.
-std::optional<ShapeEnclosure> enclose_shape(const Chain<Rational>& chain, const ChainPart& part,
+std::optional<ShapeEnclosure> enclose_shape(const StraightChain<Rational>& chain, const ChainPart& part,
                                             const Rational& low, const Rational& high, int digits);
 
 }  // namespace plumbline::proofs

@@ -112,9 +112,10 @@ struct Scaled {
 /// One part of a chain, and what turns slopes of its string into joint angles.
 class Part {
  public:
-  Part(const Chain<Wide>& chain, const detail::StringPiece<Wide>& piece)
-      : joints_(chain.size()), first_(piece.first), string_(piece) {
-    const std::vector<Wide> z = distance_to_end(chain);
+  Part(const StraightChain<Wide>& straight, const detail::StringPiece<Wide>& piece)
+      : joints_(straight.chain.size()), first_(piece.first), string_(piece) {
+    const Chain<Wide>& chain = straight.chain;
+    const std::vector<Wide> z = straight.arms();
     const std::size_t last = first_ + piece.size();
     for (std::size_t i = first_; i <= last; ++i) {
       // a passive joint turns by the jump of the deflection, which is in the string's own unit of it
@@ -123,7 +124,7 @@ class Part {
                                                      : Wide(ldexp(per_slope, -string_.spacing_exponent)));
       passive_.push_back(chain.passive_joint(i));
     }
-    if (first_ == 0) lateral_ = chain.stiffness()[0] / z[0];
+    if (first_ == 0 && straight.end_point == EndPoint::guided) lateral_ = chain.stiffness()[0] / z[0];
   }
   [[nodiscard]] const StringInWords& string() const { return string_; }
 
@@ -244,10 +245,11 @@ std::vector<Wide> settled(const StringInWords& string, std::vector<Wide> forces)
 
 }  // namespace
 
-std::vector<std::optional<ShapeInLanes>> shapes_in_lanes(const Chain<Rational>& chain,
+std::vector<std::optional<ShapeInLanes>> shapes_in_lanes(const StraightChain<Rational>& chain,
                                                          const std::vector<ForceInLanes>& forces) {
-  const auto wide_chain = from_rational<Wide>(chain);
-  const detail::BeadString<Wide> string(wide_chain);
+  const auto wide_chain = from_rational<Wide>(chain.chain);
+  const StraightChain<Wide> straight(wide_chain, chain.end_point);
+  const detail::BeadString<Wide> string(straight);
   const auto pieces = string.pieces();
   std::vector<std::optional<ShapeInLanes>> shapes(forces.size());
   for (std::size_t p = 0; p < pieces.size(); ++p) {
@@ -259,7 +261,7 @@ std::vector<std::optional<ShapeInLanes>> shapes_in_lanes(const Chain<Rational>& 
       values.push_back(forces[i].value);
     }
     if (mine.empty()) continue;
-    const Part part(wide_chain, pieces[p]);
+    const Part part(straight, pieces[p]);
     values = settled(part.string(), std::move(values));
     std::vector<std::optional<ShapeInLanes>> found(mine.size());
     in_parallel(groups_of(mine.size()), threads_for(mine.size(), pieces[p].size()),

@@ -21,7 +21,7 @@ struct ShapeInLanes {
 /// The shapes at forces that forces_in_lanes() gave. How much rounding matters, the same runs in doubles
 /// show: two doubles are 2^-51 as coarse, and taken to be 2^-38. Nothing for a mode where that leaves the
 /// last bit of an angle open, or whether a joint turns at all.
-std::vector<std::optional<ShapeInLanes>> shapes_in_lanes(const Chain<Rational>& chain,
+std::vector<std::optional<ShapeInLanes>> shapes_in_lanes(const StraightChain<Rational>& chain,
                                                          const std::vector<ForceInLanes>& forces);
 
 }  // namespace plumbline::proofs

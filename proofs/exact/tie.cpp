@@ -14,8 +14,9 @@ Polynomial plus(Polynomial p, const Rational& c, const Polynomial& q, std::size_
 
 /// The recursion of <plumbline/critical_force.hpp> along a part, in polynomials in F: h at its end, or g
 /// where the end is a passive joint. The critical forces of the part are the roots.
-Polynomial force_polynomial(const Chain<Rational>& chain, const ChainPart& part) {
-  const std::vector<Rational> z = distance_to_end(chain);
+Polynomial force_polynomial(const StraightChain<Rational>& straight, const ChainPart& part) {
+  const Chain<Rational>& chain = straight.chain;
+  const std::vector<Rational> z = straight.arms();
   const auto& k = chain.stiffness();
   Polynomial h{1}, g = trimmed({k[part.first] / (z[part.first] * z[part.first])});
   for (std::size_t i = part.first; i < part.last; ++i) {
@@ -50,10 +51,10 @@ Polynomial greatest_common_factor(Polynomial p, Polynomial q) {
 
 }  // namespace
 
-std::optional<Tie> find_tie(const Chain<Rational>& chain, const ForceEnclosure& bounds) {
+std::optional<Tie> find_tie(const StraightChain<Rational>& chain, const ForceEnclosure& bounds) {
   if (bounds.below_high != bounds.below_low + 2) return std::nullopt;
   std::vector<Polynomial> polynomials;
-  for (const ChainPart& part : parts(chain)) polynomials.push_back(force_polynomial(chain, part));
+  for (const ChainPart& part : parts(chain.chain)) polynomials.push_back(force_polynomial(chain, part));
   const Polynomial factor = greatest_common_factor(polynomials.front(), polynomials.back());
   if (evaluate(factor, bounds.low) * evaluate(factor, bounds.high) >= 0) return std::nullopt;
   Tie tie{bounds.below_low + 1, bounds.low, bounds.high, factor, {}};

@@ -21,6 +21,6 @@ struct Tie {
 
 /// The tie that makes the count pass these bounds in a step of two; nothing when the two forces between them
 /// differ, or there is one only. Exact; O(n^2) operations on long fractions.
-std::optional<Tie> find_tie(const Chain<Rational>& chain, const ForceEnclosure& bounds);
+std::optional<Tie> find_tie(const StraightChain<Rational>& chain, const ForceEnclosure& bounds);
 
 }  // namespace plumbline::proofs

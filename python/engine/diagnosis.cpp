@@ -6,6 +6,7 @@
 
 #include "diagnose/bench/decimate.hpp"
 #include "diagnose/bench/read_experiment.hpp"
+#include "diagnose/exchange/corrected.hpp"
 #include "diagnose/exchange/read_model.hpp"
 #include "diagnose/report/report.hpp"
 #include "diagnose/report/view.hpp"
@@ -108,8 +109,9 @@ struct Wish {
 /// A diagnosis and what it is about.
 class Diagnosed {
  public:
-  Diagnosed(Experiment experiment, const Wish& wish, page::Provenance from)
-      : from_(std::move(from)), study_(study_of(std::move(experiment), wish)) {
+  /// \param model  the file that the nominal chain was read from; or empty
+  Diagnosed(Experiment experiment, const Wish& wish, page::Provenance from, std::string model)
+      : from_(std::move(from)), model_(std::move(model)), study_(study_of(std::move(experiment), wish)) {
     const auto report = [&](double share) {
       const py::gil_scoped_acquire locked;
       if (PyErr_CheckSignals() != 0) throw py::error_already_set();
@@ -123,6 +125,20 @@ class Diagnosed {
   [[nodiscard]] std::string text() const { return as_text(*diagnosis_); }
   [[nodiscard]] std::string html() const {
     return unlocked([&] { return page::on_page(as_html(*study_, *diagnosis_), from_); });
+  }
+  /// The corrected models, one a candidate: the cause where there are several, the text, and what became of
+  /// each effect. \param ending  ".xml", of the format that is wanted
+  [[nodiscard]] py::list corrected(const std::string& ending) const {
+    py::list all;
+    for (const exchange::Corrected& one : exchange::corrected_models(*study_, *diagnosis_, model_)) {
+      const exchange::Written file =
+          unlocked([&] { return exchange::written(one.model, exchange::format_of("model" + ending)); });
+      py::list effects;
+      for (const exchange::Carried& effect : file.effects)
+        effects.append(py::make_tuple(effect.effect, effect.carried, effect.how));
+      all.append(py::make_tuple(one.cause, file.text, effects, file.note));
+    }
+    return all;
   }
   /// Every measured series beside what the nominal and the corrected model say.
   [[nodiscard]] py::list curves() const {
@@ -161,6 +177,7 @@ class Diagnosed {
   }
 
   page::Provenance from_;
+  std::string model_;
   std::unique_ptr<const Study> study_;
   std::optional<diagnose::Diagnosis> diagnosis_;
 };
@@ -201,6 +218,7 @@ void add_diagnosis(py::module_& module) {
       .def("json", &Diagnosed::json)
       .def("text", &Diagnosed::text)
       .def("html", &Diagnosed::html)
+      .def("corrected", &Diagnosed::corrected)
       .def("curves", &Diagnosed::curves);
   module.def(
       "diagnose",
@@ -209,7 +227,7 @@ void add_diagnosis(py::module_& module) {
         page::Provenance from = provenance(settings, samples, model, effects);
         return std::make_unique<Diagnosed>(experiment_of(settings, samples, model),
                                            Wish{std::move(effects), next, as_is, std::move(progress)},
-                                           std::move(from));
+                                           std::move(from), model);
       },
       "settings"_a, "samples"_a, py::kw_only(), "model"_a, "effects"_a, "next"_a, "as_is"_a, "progress"_a);
   module.def(
@@ -219,7 +237,7 @@ void add_diagnosis(py::module_& module) {
         page::Provenance from = provenance(folder, model, effects);
         return std::make_unique<Diagnosed>(experiment_in(folder, model),
                                            Wish{std::move(effects), next, as_is, std::move(progress)},
-                                           std::move(from));
+                                           std::move(from), model);
       },
       "folder"_a, py::kw_only(), "model"_a, "effects"_a, "next"_a, "as_is"_a, "progress"_a);
 }

@@ -19,8 +19,10 @@ namespace py = pybind11;
 using Decimals = std::vector<std::string>;
 
 void add_straight(py::module_& module);
+void add_structures(py::module_& module);
 void add_loaded(py::module_& module);
 void add_diagnosis(py::module_& module);
+void add_models(py::module_& module);
 
 /// A chain of decimals, each taken exactly.
 /// \throws Error that names list and entry

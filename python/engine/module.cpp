@@ -44,8 +44,13 @@ PYBIND11_MODULE(_engine, module) {
   namespace python = plumbline::python;
   module.doc() = "The computations of the package plumbline, in C++.";
   module.attr("version") = PLUMBLINE_VERSION;
+  // Earlier releases of pybind11 misread the array type of NumPy 2, without an error.
+  constexpr int first_for_numpy_2 = 0x020C0000;
+  module.attr("newest_numpy") = PYBIND11_VERSION_HEX >= first_for_numpy_2 ? 2 : 1;
   pybind11::register_exception<plumbline::Error>(module, "Error", PyExc_ValueError);
   python::add_straight(module);
+  python::add_structures(module);
   python::add_loaded(module);
   python::add_diagnosis(module);
+  python::add_models(module);
 }

@@ -5,14 +5,26 @@ Lengths, stiffnesses and forces are in any units that fit together, angles in ra
 count from the base. A wrong input raises `plumbline.Error`, a `ValueError` of one line: the place, what was found, what
 was expected.
 """
-from plumbline._engine import Error, version as __version__
-from plumbline.diagnosis import Curve, Diagnosis, diagnose, diagnose_folder
+import numpy as _numpy
+
+from plumbline._engine import Error, newest_numpy as _newest_numpy, version as __version__
+
+if int(_numpy.__version__.split(".")[0]) > _newest_numpy:
+    raise ImportError(f"plumbline: found NumPy {_numpy.__version__}, expected NumPy {_newest_numpy}: the engine was built with "
+                      "pybind11 before 2.12; build it with a later one (pip install pybind11)")
+
+from plumbline.diagnosis import CorrectedModel, Curve, Diagnosis, diagnose, diagnose_folder
 from plumbline.loaded import (Branch, Equilibria, Path, Points, Proof, equilibria, equilibria_certificate, path,
                               path_certificate)
+from plumbline.models import Draft, Guess, NominalChain, draft, read_chain
+from plumbline.program import check, check_experiment, figure, reference, trial, verify
 from plumbline.straight import (Modes, critical_certificate, critical_forces, critical_modes, lowest_critical_forces)
+from plumbline.structures import Chain, StabilityLoss, critical_factors, stability_loss, structure_certificate
 
 __all__ = [
-    "Branch", "Curve", "Diagnosis", "Equilibria", "Error", "Modes", "Path", "Points", "Proof", "__version__",
-    "critical_certificate", "critical_forces", "critical_modes", "diagnose", "diagnose_folder", "equilibria",
-    "equilibria_certificate", "lowest_critical_forces", "path", "path_certificate",
+    "Branch", "Chain", "CorrectedModel", "Curve", "Diagnosis", "Draft", "Equilibria", "Error", "Guess", "Modes", "NominalChain",
+    "Path", "Points", "Proof", "StabilityLoss", "__version__", "check", "check_experiment", "critical_certificate",
+    "critical_factors", "critical_forces", "critical_modes", "diagnose", "diagnose_folder", "draft", "equilibria",
+    "equilibria_certificate", "figure", "lowest_critical_forces", "path", "path_certificate", "read_chain", "reference",
+    "stability_loss", "structure_certificate", "trial", "verify",
 ]

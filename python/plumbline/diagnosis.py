@@ -4,20 +4,22 @@ from __future__ import annotations
 import html
 import json
 import os
-from collections.abc import Callable, Iterable, Mapping, Sequence
+import pathlib
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Union
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from plumbline import _engine
 from plumbline._engine import Error
+from plumbline.models import Model, ModelFile, NominalChain, PathLike
 from plumbline.numbers import Floats, doubles
+from plumbline.progress import Progress, shown
 
 if TYPE_CHECKING:
+    import matplotlib.axes
     import matplotlib.figure
-
-PathLike = Union[str, "os.PathLike[str]"]
 
 
 @dataclass(frozen=True)
@@ -35,11 +37,28 @@ class Curve:
     model: str  #: what `corrected` is: "corrected model", "best partial explanation", …
 
 
+@dataclass(frozen=True)
+class CorrectedModel:
+    """The nominal model with what one explanation found in it."""
+
+    cause: str  #: "backlash-2": of several the one that this is; empty where it is the only one
+    text: str  #: of the file
+    effects: list[tuple[str, bool, str]]  #: each effect, whether the format carries it, and as what, or why not
+    note: str  #: what the file is, where there is a choice
+
+    def write(self, file: PathLike) -> pathlib.Path:
+        """Writes it. A model of a simulator names meshes that stand beside the original: there it belongs."""
+        path = pathlib.Path(file)
+        path.write_text(self.text, encoding="utf-8")
+        return path
+
+
 class Diagnosis:
     """A diagnosis, as a report for people (`print`), for machines (`report`, `to_json`) and as a page."""
 
-    def __init__(self, found: _engine.Diagnosed) -> None:
+    def __init__(self, found: _engine.Diagnosed, model: ModelFile) -> None:
         self._found = found
+        self._model = model  #: is edited where a corrected model is asked for
         self._json = found.json()
 
     def to_json(self) -> str:
@@ -54,7 +73,7 @@ class Diagnosis:
 
     @property
     def verdict(self) -> str:
-        """"no_gap", "identified", "ambiguous" or "unknown"."""
+        """"none", "identified", "ambiguous" or "unknown"."""
         return str(self.report["cause"]["verdict"])
 
     def __str__(self) -> str:
@@ -76,39 +95,70 @@ class Diagnosis:
         """Every measured channel of every run beside what the nominal and the corrected model say."""
         return [Curve(**one) for one in self._found.curves()]
 
-    def plot(self) -> matplotlib.figure.Figure:
-        """Measured, nominal and corrected, a panel for each channel of each run."""
+    def corrected_models(self, format: str = "toml") -> list[CorrectedModel]:
+        """The nominal model with what was found: one where the cause is identified, one a candidate where it is ambiguous.
+
+        :param format: "toml" (ours), "xml" (MJCF), "urdf" or "sdf". A model that was read from a file of that format is
+            edited: what the cause does not ask for stays as it is
+        """
+        return [CorrectedModel(*one) for one in self._found.corrected("." + format.lstrip("."))]
+
+    def plot(self, *, run: str | None = None, channel: str | None = None,
+             axes: Sequence[matplotlib.axes.Axes] | None = None) -> matplotlib.figure.Figure:
+        """Measured, nominal and corrected, a panel for each channel of each run; the title says what was found.
+
+        :param run: this one alone
+        :param channel: this one alone, such as "Fx"
+        :param axes: panels of your own, as many as there are curves; without them a figure is made
+        """
         import matplotlib.pyplot
-        curves = self.curves()
-        runs = list(dict.fromkeys(curve.run for curve in curves))
-        rows = [[curve for curve in curves if curve.run == run] for run in runs]
-        columns = max(len(row) for row in rows)
-        figure, panels = matplotlib.pyplot.subplots(len(rows), columns, squeeze=False, layout="constrained",
-                                                    figsize=(4.5 * columns, 3 * len(rows)))
-        for row, axes_of_row in zip(rows, panels):
-            for axes in axes_of_row[len(row):]:
-                axes.set_visible(False)
-            for curve, axes in zip(row, axes_of_row):
-                axes.plot(curve.along, curve.measured, ".", color="0.3", label="measured")
-                axes.plot(curve.along, curve.nominal, "--", label="nominal model")
-                if curve.model != "nominal model":
-                    axes.plot(curve.along, curve.corrected, label=curve.model)
-                axes.set_title(f"{curve.run}: {curve.channel}", fontsize="medium")
-                axes.set_xlabel(curve.command)
-                axes.set_ylabel(f"{curve.channel}, {curve.unit}")
-        panels[0][0].legend(fontsize="small")
-        return figure
+        curves = [curve for curve in self.curves() if run in (None, curve.run) and channel in (None, curve.channel)]
+        if not curves:
+            raise Error(f"plot: found no channel {channel} of run {run}, expected one of "
+                        + ", ".join(f"{curve.run}: {curve.channel}" for curve in self.curves()))
+        if axes is None:
+            rows = list(dict.fromkeys(curve.run for curve in curves))
+            columns = max(sum(curve.run == row for curve in curves) for row in rows)
+            figure, panels = matplotlib.pyplot.subplots(len(rows), columns, squeeze=False, layout="constrained",
+                                                        figsize=(4.5 * columns, 3 * len(rows) + 0.4))
+            figure.suptitle(self._title())
+            axes = [panel for row, of_row in zip(rows, panels)
+                    for panel in of_row[:sum(curve.run == row for curve in curves)]]
+            for panel in panels.flat:
+                panel.set_visible(any(panel is one for one in axes))
+        elif len(axes) != len(curves):
+            raise Error(f"plot: found {len(axes)} axes, expected {len(curves)}, one for each curve")
+        for curve, panel in zip(curves, axes):
+            panel.plot(curve.along, curve.nominal, color="0.65", linewidth=3, solid_capstyle="round", label="nominal model")
+            if curve.model != "nominal model":
+                panel.plot(curve.along, curve.corrected, color="C0", label=curve.model)
+            panel.plot(curve.along, curve.measured, ".", color="black", markersize=3.5, label="measured")
+            panel.set_title(f"{curve.run}: {curve.channel}", fontsize="medium")
+            panel.set_xlabel(curve.command)
+            panel.set_ylabel(f"{curve.channel}, {curve.unit}")
+        axes[0].legend(fontsize="small")
+        whole = axes[0].get_figure()
+        assert whole is not None
+        return whole
+
+    def _title(self) -> str:
+        report = self.report
+        names = " + ".join(effect["id"] + (f"({effect['joint']})" if effect["joint"] else "")
+                           for effect in report["cause"]["effects"])
+        verdict = "no gap" if self.verdict == "none" else self.verdict
+        return f"{report['experiment']}: {verdict}" + (f", {names}" if names else "")
 
 
-def diagnose(nominal: Mapping[str, Any] | PathLike, runs: Sequence[Mapping[str, Any]], *,
+def diagnose(nominal: Mapping[str, Any] | NominalChain | Model, runs: Sequence[Mapping[str, Any]], *,
              noise: Mapping[str, float], bench: Mapping[str, Any] | None = None,
              units: Mapping[str, str] | None = None, columns: Mapping[str, Any] | None = None,
              name: str = "experiment", effects: PathLike | None = None, next: bool = False, as_is: bool = False,
-             progress: Callable[[float], object] | None = None) -> Diagnosis:
+             progress: Progress = True) -> Diagnosis:
     """Diagnoses an experiment that is in memory. Keys, units and rules are those of docs/experiment-format.md.
 
     :param nominal: the nominal chain: `link_length`, `joint_stiffness`, and where it has them `link_mass`, `gravity`,
-        `rest`, `effect`; or a file with the model of a simulator (MJCF, URDF, SDF) or of ours
+        `rest`, `effect`; or what `read_chain` gave; or the model of a simulator (a file: MJCF, URDF, SDF, or a
+        `mujoco.MjSpec`), or a file of ours
     :param runs: each with `id`, `control` ("displacement" or "force"), `rest` (the unloaded joint angles) and `samples`:
         a mapping of columns to arrays, or a DataFrame, with `x, y, Fx, Fy`, where taken `t` and `q1` … `qn`; NaN where
         nothing was measured. Compression has a negative Fx
@@ -119,7 +169,8 @@ def diagnose(nominal: Mapping[str, Any] | PathLike, runs: Sequence[Mapping[str, 
     :param effects: a file with effects of your own
     :param next: propose the next run even where the cause is clear
     :param as_is: take the numbers as they stand, even where they look like another unit, sign or axis
-    :param progress: called now and then with the share of the work that is done
+    :param progress: called now and then with the share of the work that is done; True shows a bar in a notebook or on a
+        terminal
     :raises Error: for what the format refuses, with the key or the run and reading
     """
     settings: dict[str, Any] = {"format": "chain-experiment/1", "name": name, "noise": noise,
@@ -127,11 +178,10 @@ def diagnose(nominal: Mapping[str, Any] | PathLike, runs: Sequence[Mapping[str, 
     for key, value in (("bench", bench), ("units", units)):
         if value is not None:
             settings[key] = value
-    model = ""
+    if isinstance(nominal, NominalChain):
+        nominal = nominal.settings()
     if isinstance(nominal, Mapping):
         settings["nominal"] = nominal
-    else:
-        model = os.fspath(nominal)
     settings["run"] = []
     samples = []
     for number, run in enumerate(runs, 1):
@@ -139,20 +189,21 @@ def diagnose(nominal: Mapping[str, Any] | PathLike, runs: Sequence[Mapping[str, 
             raise Error(f"experiment: run[{number}].samples: found no such key, expected columns of readings")
         settings["run"].append({key: value for key, value in run.items() if key != "samples"})
         samples.append(_columns(run["samples"], f"experiment: run[{number}].samples"))
-    return Diagnosis(_engine.diagnose(_plain(settings), samples, model=model, effects=_file(effects), next=next,
-                                      as_is=as_is, progress=progress))
+    model = ModelFile(None if isinstance(nominal, Mapping) else nominal)
+    return Diagnosis(_engine.diagnose(_plain(settings), samples, model=model.path, effects=_file(effects), next=next,
+                                      as_is=as_is, progress=shown(progress)), model)
 
 
-def diagnose_folder(folder: PathLike, *, model: PathLike | None = None, effects: PathLike | None = None,
-                    next: bool = False, as_is: bool = False,
-                    progress: Callable[[float], object] | None = None) -> Diagnosis:
+def diagnose_folder(folder: PathLike, *, model: Model | None = None, effects: PathLike | None = None,
+                    next: bool = False, as_is: bool = False, progress: Progress = True) -> Diagnosis:
     """Diagnoses an experiment that is in a folder, as `plumbline diagnose FOLDER` does.
 
     :param model: stands in for the table [nominal]
     :raises Error: with the file, the line or key, what was found and what was expected
     """
-    return Diagnosis(_engine.diagnose_folder(os.fspath(folder), model=_file(model), effects=_file(effects), next=next,
-                                             as_is=as_is, progress=progress))
+    file = ModelFile(model)
+    return Diagnosis(_engine.diagnose_folder(os.fspath(folder), model=file.path, effects=_file(effects), next=next,
+                                             as_is=as_is, progress=shown(progress)), file)
 
 
 def _file(path: PathLike | None) -> str:

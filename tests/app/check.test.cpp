@@ -27,7 +27,7 @@ TEST_CASE("the example in Python passes, and its report in the sources is what t
   CHECK(outcome.out == report.str());
 }
 
-TEST_CASE("values that disagree come worst first, with status 1") {
+TEST_CASE("disagreeing values are listed worst first, with status 1") {
   const Workplace here;
   here.write("values.csv",
              "chain,mode,force\npaper-four-link,1,0.924\npaper-three-link,2,3.0000000000000001\n"
@@ -41,7 +41,7 @@ TEST_CASE("values that disagree come worst first, with status 1") {
   CHECK(contains(outcome.out, "line 4: found -1, expected 1.0000000000000000000"));
 }
 
-TEST_CASE("chains of one's own are compared with certified values") {
+TEST_CASE("values of own chains are compared with certified ones") {
   const Workplace here;
   here.write("chains.csv", "chain,lengths,stiffness\nmine,1;1,0;1\n");
   here.write("values.csv", "chain,mode,force\nmine,1,2.0000000000000004\n");
@@ -50,7 +50,7 @@ TEST_CASE("chains of one's own are compared with certified values") {
   CHECK(here.plumbline("check values.csv --chains chains.csv").status == 1);
 }
 
-TEST_CASE("bad values are refused in one line that says where, what and what instead") {
+TEST_CASE("bad values are refused in one line: place, found, expected") {
   const Workplace here;
   const struct {
     const char *content, *where, *found;
@@ -81,7 +81,7 @@ TEST_CASE("bad values are refused in one line that says where, what and what ins
   CHECK(here.plumbline("check .").status == 2);
 }
 
-TEST_CASE("whoever hands certificates to check is told which program checks them") {
+TEST_CASE("certificates given to check are referred to the program that checks them") {
   const Workplace here;
   for (const auto& [file, checker] : {std::pair{"certificates.json", "check_certificates.py"},
                                       std::pair{"equilibria-certificates.json", "check_equilibria.py"},

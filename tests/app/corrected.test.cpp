@@ -1,7 +1,7 @@
 // `diagnose --corrected` and `--model`, and `chain`, as a user runs them.
 #include "tests/app/process.hpp"
 
-TEST_CASE("against its own corrected model an experiment has no gap") {
+TEST_CASE("an experiment has no gap against its own corrected model") {
   const Workplace place;
   const Outcome first = place.plumbline("diagnose --corrected bench.toml");
   REQUIRE(first.status == 0);
@@ -13,8 +13,7 @@ TEST_CASE("against its own corrected model an experiment has no gap") {
   CHECK(contains(place.plumbline("chain bench.toml").out, "id = \"joint_friction\""));
 }
 
-TEST_CASE(
-    "a corrected model goes where it may be written, in a format that there is, or nothing is written") {
+TEST_CASE("a corrected model is written to an allowed place in a known format, or not at all") {
   const Workplace place;
   check_refused(place.plumbline("diagnose --corrected bench.step"));
   check_refused(place.plumbline("diagnose --corrected nowhere/bench.toml"));
@@ -38,7 +37,7 @@ TEST_CASE(
   CHECK(contains(rust.err, "nominal.effect[1].id: found rust"));
 }
 
-TEST_CASE("a corrected model has effects of the user's own, which --effects names again") {
+TEST_CASE("a corrected model with user effects requires --effects") {
   const Workplace place;
   place.write("own.toml",
               "format = \"user-effects/1\"\n[[effect]]\nid = \"stiction\"\nwords = \"stiction\"\n"

@@ -24,7 +24,8 @@ TEST_CASE("a wrong command line is bad input, and what is wrong of it is said") 
   } cases[] = {
       {"nonsense", "command line: found nonsense, expected what --help lists"},
       {"critical --nonsense", "command line: found --nonsense, expected what --help lists"},
-      {"verify extra", "command line: found extra, expected what --help lists"},
+      {"verify folder extra", "command line: found extra, expected what --help lists"},
+      {"verify nosuch", "nosuch: found no paper.toml, expected the folder of a paper"},
       {"critical a.toml b.toml", "command line: found b.toml, expected what --help lists"},
       {"critical --digits 0", "--digits: found 0, expected a whole number"},
       {"critical --digits x", "--digits: found x, expected a whole number"},

@@ -5,8 +5,9 @@
 
 #include "tests/app/process.hpp"
 
-// What is right follows from each experiment's label alone (trial/answer.hpp); the diagnosis does not see it.
-TEST_CASE("the committed experiments: each cause is found, or stands in the class; none is wrong and sure" *
+// The right answer follows from each experiment's label alone (trial/answer.hpp); the diagnosis does not see
+// it.
+TEST_CASE("the committed experiments: every cause is identified or in the class; none is identified wrongly" *
           doctest::test_suite("long")) {
   const Workplace here;
   const std::filesystem::path experiments = std::filesystem::path(PLUMBLINE_SOURCE_DIR) / "tests/experiments";

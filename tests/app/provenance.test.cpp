@@ -17,7 +17,7 @@ const std::string chain = "lengths = [1, 1]\nstiffness = [1, 1]\n";
 
 }  // namespace
 
-TEST_CASE("every JSON says by which program, what was asked for, and of which inputs") {
+TEST_CASE("every JSON names the program, the command and its inputs") {
   const Workplace here;
   here.write("two links.toml", chain);
   here.write("values.csv", "chain,mode,force\na,1,2.4\n");
@@ -46,7 +46,7 @@ TEST_CASE("every JSON says by which program, what was asked for, and of which in
   }
 }
 
-TEST_CASE("an experiment's digest is of its settings and its samples") {
+TEST_CASE("the digest of an experiment covers its settings and its samples") {
   const Workplace here;
   const std::string source = PLUMBLINE_SOURCE_DIR "/docs/examples/experiment";
   std::filesystem::copy(source, here / "E");
@@ -58,7 +58,7 @@ TEST_CASE("an experiment's digest is of its settings and its samples") {
   CHECK(report["inputs_sha256"] == plumbline::files::sha256(all));
 }
 
-TEST_CASE("what goes in by standard input or a pipe counts like a file") {
+TEST_CASE("standard input and pipes count as input files") {
   const Workplace here;
   here.write("two.toml", chain);
   const std::string digest = plumbline::files::sha256(chain);
@@ -66,7 +66,7 @@ TEST_CASE("what goes in by standard input or a pipe counts like a file") {
   CHECK(provenance(here, "critical two.toml --json")["inputs_sha256"] == digest);
 }
 
-TEST_CASE("the bytes of a result do not depend on where it is written, nor on what else is") {
+TEST_CASE("the bytes of a result depend neither on its path nor on other outputs") {
   const Workplace here;
   here.write("two.toml", chain);
   CHECK(here.plumbline("path two.toml --to 0.1 --json a.json").status == 0);

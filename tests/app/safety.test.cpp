@@ -1,4 +1,4 @@
-// What goes in is never lost, what comes out is whole, and what is wrong is said in one line.
+// Inputs are never lost, outputs are whole, and errors are one line.
 #include <doctest/doctest.h>
 #include <sys/stat.h>
 
@@ -27,7 +27,7 @@ void furnish(const Workplace& here) {
 
 }  // namespace
 
-TEST_CASE("no verb writes over what it reads, by whatever name") {
+TEST_CASE("no verb overwrites its inputs, under any name") {
   for (const char* arguments :
        {"diagnose E --html E/u-press.csv", "diagnose E --json E/experiment.toml",
         "diagnose E --effects c.toml --html c.toml", "diagnose E --effects c.toml --json twin.toml",
@@ -55,7 +55,7 @@ TEST_CASE("no verb writes over what it reads, by whatever name") {
   }
 }
 
-TEST_CASE("an empty text, as of a variable that is not set, is not taken for nothing") {
+TEST_CASE("an empty argument, as of an unset variable, is refused") {
   const Workplace here;
   furnish(here);
   for (const char* arguments : {"diagnose ''", "diagnose E --effects ''", "diagnose E --model ''",
@@ -67,7 +67,7 @@ TEST_CASE("an empty text, as of a variable that is not set, is not taken for not
   }
 }
 
-TEST_CASE("two outputs in one file are refused before the work") {
+TEST_CASE("two outputs to one file are refused before any work") {
   const Workplace here;
   furnish(here);
   fs::create_symlink("a", here.path() / "same");
@@ -83,7 +83,7 @@ TEST_CASE("two outputs in one file are refused before the work") {
   CHECK(here.plumbline("critical --json /dev/null --csv /dev/null").status == 0);
 }
 
-TEST_CASE("what was written before is an output again, not an input") {
+TEST_CASE("an earlier result may be overwritten") {
   const Workplace here;
   for (int i = 0; i < 2; ++i) {
     CHECK(here.plumbline("critical --json out.json").status == 0);
@@ -95,7 +95,7 @@ TEST_CASE("what was written before is an output again, not an input") {
   CHECK(contains(here.plumbline("critical --csv chains.csv").out, "mine,1,"));
 }
 
-TEST_CASE("bytes that are no text, keys without end, pipes and devices are refused in one line") {
+TEST_CASE("binary input, endless keys, pipes and devices are refused in one line") {
   const Workplace here;
   here.write("bom.csv", "\xEF\xBB\xBF\n");
   here.write("bom.toml", "\xEF\xBB\xBF\n");
@@ -156,7 +156,7 @@ TEST_CASE("bytes that are no text, keys without end, pipes and devices are refus
   }
 }
 
-TEST_CASE("a noise that is no noise, and names with controls, are refused where they stand") {
+TEST_CASE("invalid noise, and names with control characters, are refused at their place") {
   for (const auto& [before, after] : {std::pair{"Fx", "6e-300"}, std::pair{"name", "\"a\\u001b[31m\""}}) {
     const Workplace here;
     fs::copy(sources + "/docs/examples/experiment", here.path() / "E");
@@ -173,7 +173,7 @@ TEST_CASE("a noise that is no noise, and names with controls, are refused where 
   }
 }
 
-TEST_CASE("names of files that are no text are refused in one line, wherever they come from") {
+TEST_CASE("file names that are not text are refused in one line") {
   const Workplace here;
   furnish(here);
   const std::string odd = "odd\xff";
@@ -193,7 +193,7 @@ TEST_CASE("names of files that are no text are refused in one line, wherever the
   }
 }
 
-TEST_CASE("an experiment that is given twice is refused, however it is written") {
+TEST_CASE("an experiment given twice is refused, however its path is written") {
   const Workplace here;
   furnish(here);
   fs::create_directory_symlink("one", here.path() / "X" / "link");
@@ -205,7 +205,7 @@ TEST_CASE("an experiment that is given twice is refused, however it is written")
   }
 }
 
-TEST_CASE("check lists every bad row, up to a number that a person reads") {
+TEST_CASE("check lists every bad row, up to a readable number") {
   const Workplace here;
   here.write("C.csv", "chain,lengths,stiffness\na,1;1;1,1;1;1\n");
   here.write("V.csv", "chain,mode,force\na,0,1\na,3,1\nb,1,1\na,1,x\na,1\na,1,0.3\na,1,0.3\n");
@@ -225,7 +225,7 @@ TEST_CASE("check lists every bad row, up to a number that a person reads") {
   CHECK(contains(lot.err, "and 950 more"));
 }
 
-TEST_CASE("standard output that is full or closed is an error of one line") {
+TEST_CASE("a full or closed standard output is an error of one line") {
   const Workplace here;
   for (const char* arguments : {"critical >/dev/full", "critical --json - >/dev/full", "critical --json >&-",
                                 "path >/dev/full", "figure 2 >/dev/full"}) {
@@ -236,7 +236,7 @@ TEST_CASE("standard output that is full or closed is an error of one line") {
   }
 }
 
-TEST_CASE("very many digits end: the forces of four links to ten thousand") {
+TEST_CASE("ten thousand digits of the forces of four links are computed") {
   const Workplace here;
   fs::copy(sources + "/docs/examples/four-link.toml", here.path() / "c.toml");
   const std::string more = here.plumbline("critical c.toml --csv --digits 10000").out,

@@ -18,7 +18,7 @@ void add_example(const Workplace& here) {
 
 }  // namespace
 
-TEST_CASE("experiments of one's own are diagnosed and scored") {
+TEST_CASE("own experiments are diagnosed and scored") {
   const Workplace here;
   add_example(here);
   here.write("mine/bench/label.json", friction);
@@ -51,7 +51,7 @@ TEST_CASE("a sealed label is verified, a forged one detected") {
   CHECK(contains(forged.out, "broken seal"));
 }
 
-TEST_CASE("a diagnosis that fails is a failure of the trial, with its reason") {
+TEST_CASE("a failed diagnosis is listed in the trial with its reason") {
   const Workplace here;
   add_example(here);
   here.write("mine/bench/label.json", friction);
@@ -62,7 +62,7 @@ TEST_CASE("a diagnosis that fails is a failure of the trial, with its reason") {
   CHECK(contains(outcome.out, "exit status 2: plumbline: "));
 }
 
-TEST_CASE("without experiments, without labels, or in a folder in use: one line and status 2") {
+TEST_CASE("no experiments, no labels, or a folder in use: one line and status 2") {
   const Workplace here;
   add_example(here);
   CHECK(here.plumbline("trial --experiments nowhere").status == 2);
@@ -94,7 +94,7 @@ TEST_CASE("a small blind trial: seals hold, every diagnosis reports, most causes
   CHECK(nlohmann::json::parse(here.read("again.json"))["found"] == result["found"]);
 }
 
-TEST_CASE("the second trial: sealed alike, counted by family" * doctest::test_suite("long")) {
+TEST_CASE("the second trial is sealed too, and counted by family" * doctest::test_suite("long")) {
   const Workplace here;
   const Outcome outcome =
       here.plumbline("trial --second --trials 4 --seed 3 --patience 3000 --json result.json");
@@ -108,7 +108,7 @@ TEST_CASE("the second trial: sealed alike, counted by family" * doctest::test_su
   CHECK(here.plumbline("trial --second --experiments mine").status == 2);
 }
 #else
-TEST_CASE("a program without the rig says how to get one that has it") {
+TEST_CASE("a program without the simulator says how to build one with it") {
   const Workplace here;
   const Outcome outcome = here.plumbline("trial --trials 3");
   CHECK(outcome.status == 2);

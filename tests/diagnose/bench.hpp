@@ -34,7 +34,7 @@ inline const Effect& other_form(std::string_view id) {
   return *row;
 }
 
-/// What an effect's parameters are where zero and half a scale are no good choice.
+/// An effect's parameters where zero and half a scale are no good choice.
 struct Chosen {
   std::vector<double> nothing, sizeable;
 };

@@ -18,7 +18,7 @@ using Reader = int(const std::uint8_t*, std::size_t);
 // what the fuzz targets are called here: CMakeLists.txt
 extern "C" {
 Reader fuzz_chain, fuzz_experiment, fuzz_table, fuzz_samples, fuzz_values, fuzz_label, fuzz_seals,
-    fuzz_report, fuzz_unfinished, fuzz_effects;
+    fuzz_report, fuzz_unfinished, fuzz_effects, fuzz_model, fuzz_draft;
 }
 
 namespace {
@@ -96,7 +96,7 @@ int main(int count, char** words) {
       {"chain", fuzz_chain},     {"experiment", fuzz_experiment}, {"table", fuzz_table},
       {"samples", fuzz_samples}, {"values", fuzz_values},         {"label", fuzz_label},
       {"seals", fuzz_seals},     {"report", fuzz_report},         {"unfinished", fuzz_unfinished},
-      {"effects", fuzz_effects}};
+      {"effects", fuzz_effects}, {"model", fuzz_model},           {"draft", fuzz_draft}};
   const int inputs = std::atoi(words[2]);
   for (const auto& [name, reader] : readers) {
     const std::vector<Text> corpus = corpus_of(std::filesystem::path(words[1]) / name);

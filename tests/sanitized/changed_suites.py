@@ -17,8 +17,9 @@ import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 # in the order in which they are run, until the time is over: those first that take least
-SUITES = {"page": "support/page", "campaign": "diagnose/campaign", "trial": "trial", "core": "core", "exchange": "diagnose/exchange",
-          "diagnose": "diagnose", "simulator": "trial/simulator", "app": "app", "proofs": "proofs", "verify": "verify"}
+SUITES = {"page": "support/page", "campaign": "diagnose/campaign", "trial": "trial", "draft": "diagnose/draft", "core": "core",
+          "exchange": "diagnose/exchange", "diagnose": "diagnose", "simulator": "trial/simulator", "app": "app",
+          "proofs": "proofs", "verify": "verify"}
 NOT_COMPILED = {".md", ".py", ".v"}
 
 

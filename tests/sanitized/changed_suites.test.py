@@ -89,9 +89,9 @@ class ChangedSuites(unittest.TestCase):
 
     def test_where_nothing_is_older_all_folders_count(self):
         self.commit(1, "core/a.hpp")
-        self.assertEqual(self.listed(), "page campaign trial core exchange diagnose simulator app proofs verify")
+        self.assertEqual(self.listed(), "page campaign trial draft core exchange diagnose simulator app proofs verify")
         shutil.rmtree(self.here / ".git")
-        self.assertEqual(self.listed(), "page campaign trial core exchange diagnose simulator app proofs verify")
+        self.assertEqual(self.listed(), "page campaign trial draft core exchange diagnose simulator app proofs verify")
 
     def test_nothing_to_do_passes(self):
         self.commit(1, "core/a.hpp")

@@ -75,7 +75,7 @@ TEST_CASE("an effect outside the catalogue is unknown, whether or not it sits at
   CHECK(judge(wave, report).place_right == false);
 }
 
-TEST_CASE("two effects, in any order; one of them is part of the answer") {
+TEST_CASE("two effects, in any order; one of them is a partial answer") {
   CHECK(answer(pair, said("identified", {"rest_angle(1)", "gravity"})) == Answer::right);
   CHECK(answer(pair, said("identified", {"gravity"})) == Answer::part);
   CHECK(answer(pair, said("identified", {"gravity", "rest_angle(2)"})) == Answer::part);
@@ -83,7 +83,7 @@ TEST_CASE("two effects, in any order; one of them is part of the answer") {
   CHECK(answer(pair, said("ambiguous", {"backlash(1)"}, {{"gravity", "rest_angle(1)"}})) == Answer::in_class);
 }
 
-TEST_CASE("what the experiment cannot tell apart is right too; a class larger than that is oversized") {
+TEST_CASE("an equivalent cause is right too; a larger class is oversized") {
   const Label payload = truth({{"tip_payload", 0, {}, 9}}, {{"force_bias"}});
   CHECK(answer(payload, said("identified", {"force_bias"})) == Answer::right);
   CHECK(!judge(payload, said("ambiguous", {"tip_payload"}, {{"force_bias"}})).oversized_class);
@@ -107,7 +107,7 @@ TEST_CASE("parameters of a law with more elements than the answer has are not co
   CHECK(judged({"hysteresis", 1, {{"d_1", 0.05}, {"d_2", 0.3}}, 9}).empty());
 }
 
-TEST_CASE("the Brier score: 0 for certainty that is right, 2 for certainty that is wrong") {
+TEST_CASE("the Brier score: 0 for a certain right answer, 2 for a certain wrong one") {
   Report report = said("identified", {"backlash(2)"});
   report.ranking = {{{"backlash(2)"}, 1.0}};
   CHECK(judge(backlash, report).brier == 0);
@@ -125,7 +125,7 @@ TEST_CASE("the Brier score: 0 for certainty that is right, 2 for certainty that 
   CHECK(judge(nothing, report).stated == std::pair(0.75, false));
 }
 
-TEST_CASE("a report is read from the machine format; what is not one is refused") {
+TEST_CASE("a report is read from its JSON; anything else is refused") {
   const auto json = nlohmann::json::parse(R"json({
     "where": {"channels": [{"channel": "Fx", "share": 0.8}, {"channel": "Fy", "share": 0.2}],
               "joints": [{"joint": 1, "share": 0.2}, {"joint": 2, "share": 0.8}]},
@@ -145,7 +145,7 @@ TEST_CASE("a report is read from the machine format; what is not one is refused"
                        plumbline::Error);
 }
 
-TEST_CASE("of two ranked explanations that are both right, one is expected to have all the probability") {
+TEST_CASE("the Brier score expects all probability on one of two right explanations") {
   const Label either = truth({{"backlash", 2, {}, 9}}, {{"rest_angle(2)"}});
   Report report = said("ambiguous", {"backlash(2)"}, {{"rest_angle(2)"}});
   report.ranking = {{{"backlash(2)"}, 0.6}, {{"rest_angle(2)"}, 0.3}, {{"gravity"}, 0.1}};
@@ -155,7 +155,7 @@ TEST_CASE("of two ranked explanations that are both right, one is expected to ha
   CHECK(judge(either, report).brier == close_to(2));
 }
 
-TEST_CASE("a shrink is worth something only where the cause is right") {
+TEST_CASE("a residual reduction counts only where the cause is right") {
   Report report = said("identified", {"gravity"});
   report.shrunk = 1.2;
   CHECK(!judge(backlash, report).shrunk);

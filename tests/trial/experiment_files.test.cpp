@@ -31,7 +31,7 @@ fs::path program(const Folder& here, const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("a diagnosis sees what experiment.toml names, and neither the label nor what lies elsewhere") {
+TEST_CASE("a diagnosis sees the files that experiment.toml names, not the label or other files") {
   const Folder here;
   fs::create_directories(here / "E/sub");
   here.write("secret.csv", "secret");
@@ -58,7 +58,7 @@ TEST_CASE("a diagnosis sees what experiment.toml names, and neither the label no
         "./a.csv\n./experiment.toml\n./inside.csv\n./sub/b.CSV\n");
 }
 
-TEST_CASE("a diagnosis that kills itself, complains or takes too long is a failure with its reason") {
+TEST_CASE("a diagnosis that crashes, fails or takes too long is a failure with its reason") {
   const Folder here;
   fs::create_directory(here / "E");
   here.write("E/experiment.toml", "name = 'a'\n");
@@ -72,7 +72,7 @@ TEST_CASE("a diagnosis that kills itself, complains or takes too long is a failu
   CHECK(failure("exec sleep 60", 0.1) == "not done after 0.1 s");
 }
 
-TEST_CASE("every file that a trial reads is known beforehand") {
+TEST_CASE("all files that a trial reads are known beforehand") {
   const Folder here;
   fs::create_directories(here / "one");
   fs::create_directories(here / "labels");

@@ -26,7 +26,7 @@ const nlohmann::json full = nlohmann::json::parse(R"json({
 
 }  // namespace
 
-TEST_CASE("a label has the keys of its schema, and every one is read") {
+TEST_CASE("a label has the keys of its schema, and all are read") {
   const std::string path = PLUMBLINE_SOURCE_DIR "/docs/schemas/label.schema.json";
   const nlohmann::json schema = parse_json(read_text(path), path);
   CHECK(keys(full) == keys(schema["properties"]));
@@ -34,7 +34,7 @@ TEST_CASE("a label has the keys of its schema, and every one is read") {
   CHECK(nlohmann::json(as_json(label_from(full, "test"))) == full);
 }
 
-TEST_CASE("what a diagnosis has no row for is unknown to it, and described by its name") {
+TEST_CASE("a cause outside the catalogue is unknown to the diagnosis, and described by its name") {
   const Label label = label_from(full, "test");
   CHECK(as_json(in_terms_of({"backlash(j)", "play"}, label)) == as_json(label));
   const Label lacking = in_terms_of({"backlash", "play"}, label);
@@ -56,7 +56,7 @@ TEST_CASE("what a diagnosis has no row for is unknown to it, and described by it
           as_json(label_from(nlohmann::json::parse(none), "")));
 }
 
-TEST_CASE("what is no label is refused in one line that says so") {
+TEST_CASE("an invalid label is refused in one line") {
   CHECK_THROWS_WITH_AS(label_from(nlohmann::json::array(), "x/label.json"), doctest::Contains("x/label.json"),
                        Error);
   const auto nameless = nlohmann::json::parse(R"({"effects": [{"joint": 1}]})");

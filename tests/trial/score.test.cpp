@@ -48,7 +48,7 @@ bool is(const Proportion& p, std::size_t count, std::size_t total) {
 
 }  // namespace
 
-TEST_CASE("what is counted for what") {
+TEST_CASE("counts of each outcome") {
   const Score s = score(a_trial());
   CHECK(is(s.all.found, 4, 9));
   CHECK(is(s.strong, 1, 3));
@@ -67,7 +67,7 @@ TEST_CASE("what is counted for what") {
   CHECK(s.by_truth.back().name == "outside the catalogue");
 }
 
-TEST_CASE("the confusion table counts what was said best, and tells a wrong joint") {
+TEST_CASE("the confusion table counts the best explanation, and marks a wrong joint") {
   std::vector<Case> cases = a_trial();
   cases.push_back(one("j", only_stop, 9, Answer::wrong_sure, "identified joint_stop"));
   const Score s = score(cases);
@@ -77,7 +77,7 @@ TEST_CASE("the confusion table counts what was said best, and tells a wrong join
   CHECK(s.confusion.at("gravity").at("gravity") == 2);
 }
 
-TEST_CASE("stated probabilities are binned beside how often they were right") {
+TEST_CASE("stated probabilities are binned with the observed frequencies") {
   const Score s = score(a_trial());
   for (const Reliability& bin : s.reliability) {
     if (bin.low == 0.9) {
@@ -101,7 +101,7 @@ TEST_CASE("a probability on the edge of two bins counts once, in the upper one")
   CHECK(total == 1);
 }
 
-TEST_CASE("median, ninth decile and worst of eleven known values") {
+TEST_CASE("median, 90 % quantile and worst of eleven known values") {
   std::vector<Case> cases;
   for (int i = 10; i >= 0; --i) {
     cases.push_back(one("a", {}, 0, Answer::right, "none"));
@@ -123,7 +123,7 @@ TEST_CASE("the Brier score is the mean over the cases that state a probability")
   CHECK(score(cases).brier == close_to((0.08 + 0.52) / 2));
 }
 
-TEST_CASE("the failures come first, the worst first, and a broken seal is one") {
+TEST_CASE("failures come first, the worst first; a broken seal is one") {
   std::vector<Case> cases = a_trial();
   cases[0].seal_holds = false;
   Circumstances about;
@@ -140,7 +140,7 @@ TEST_CASE("the failures come first, the worst first, and a broken seal is one") 
   CHECK(json["strong"]["total"] == 3);
 }
 
-TEST_CASE("families: what is most often wrong and sure stands first, what is outside by its description") {
+TEST_CASE("families: most confident errors first; causes outside the catalogue by description") {
   std::vector<Case> cases = a_trial();
   for (Case& each : cases) each.label.family = each.label.effects.empty() ? "no effect" : "one effect";
   cases[6].label.description = "a magnet";

@@ -25,7 +25,7 @@ TEST_CASE("a seal is the SHA-256 of salt, line feed, label") {
   CHECK(seal(envelope) == plumbline::files::sha256("00ff\n{}"));
 }
 
-TEST_CASE("whoever changes the label or the salt breaks the seal") {
+TEST_CASE("a changed label or salt breaks the seal") {
   const Envelope closed = sealed(label);
   const std::string published = seal(closed);
   CHECK(seal(closed) == published);
@@ -39,14 +39,14 @@ TEST_CASE("whoever changes the label or the salt breaks the seal") {
   CHECK(seal(resalted) != published);
 }
 
-TEST_CASE("a salt follows from the secret and the name, and is another wherever one of them is") {
+TEST_CASE("a salt is determined by secret and name, and differs with either") {
   CHECK(salt("secret", "one") == salt("secret", "one"));
   CHECK(salt("secret", "one") != salt("secret", "two"));
   CHECK(salt("secret", "one") != salt("another", "one"));
   CHECK(salt("secret", "one").size() == 32);
 }
 
-TEST_CASE("labels, envelopes and seals survive their files") {
+TEST_CASE("labels, envelopes and seals survive a round trip") {
   const Envelope closed = sealed(label);
   const Envelope opened = parse_envelope(envelope_text(closed), "envelope.json");
   CHECK(seal(opened) == seal(closed));
@@ -55,7 +55,7 @@ TEST_CASE("labels, envelopes and seals survive their files") {
   CHECK(parse_seals(seals_text({{"one", seal(closed)}}), "seals.json").at("one") == seal(closed));
 }
 
-TEST_CASE("what is no label, envelope or file of seals is refused with its name") {
+TEST_CASE("an invalid label, envelope or file of seals is refused with its name") {
   const std::string other = "{\"format\": \"else\"}";
   CHECK_THROWS_WITH_AS(parse_seals(other, "other.json"), doctest::Contains("other.json"), plumbline::Error);
   CHECK_THROWS_WITH_AS(parse_envelope(other, "other.json"), doctest::Contains("salt"), plumbline::Error);

@@ -19,7 +19,7 @@ TEST_CASE("Wilson's interval, as R. G. Newcombe tabulates it (Statistics in Medi
   check({1, 29}, 0.0061, 0.1718);
 }
 
-TEST_CASE("all, none, and none of none") {
+TEST_CASE("all, none, and none of zero") {
   CHECK(Proportion{20, 20}.high() == 1);
   CHECK(Proportion{20, 20}.low() == close_to(1 - Proportion{0, 20}.high()));
   CHECK(Proportion{}.low() == 0);

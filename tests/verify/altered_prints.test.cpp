@@ -101,3 +101,81 @@ TEST_CASE("what is listed as a survivor survives, and is no correction") {
     }));
   }
 }
+
+namespace {
+
+/// A number, or a symbol, altered: its first digit, its sign, to nought, its letter.
+std::vector<std::string> altered_number(const std::string& text) {
+  std::vector<std::string> all;
+  const std::size_t digit = text.find_first_of("0123456789");
+  const bool symbol = std::isalpha(static_cast<unsigned char>(text[0])) != 0 && !text.starts_with("pi");
+  if (!symbol && digit != std::string::npos) {
+    for (const char other : {text[digit] == '9' ? '1' : '9', '0'}) {
+      all.push_back(text);
+      all.back()[digit] = other;
+    }
+    all.push_back(text[0] == '-' ? text.substr(1) : "-" + text);
+  }
+  if (symbol) all.push_back("x" + text);
+  return all;
+}
+
+/// The premises of a claim with one number of one of them altered.
+std::vector<Premises> altered_premises(const Premises& given, std::size_t which) {
+  std::vector<Premises> all;
+  for (const auto& [name, part] : given.list()[which].parts) {
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      for (const std::string& other : altered_number(part[i])) {
+        std::vector<Premise> list = given.list();
+        list[which].parts[name][i] = other;
+        all.emplace_back(std::move(list));
+      }
+    }
+  }
+  return all;
+}
+
+/// Everything that a claim is judged to be.
+std::string whole_judgement(const Claim& claim) {
+  try {
+    const Judgement judgement = judge_print(claim, claim.printed, 10);
+    std::string text = fmt::format("{} {} {}", name(judgement.verdict), judgement.truth, judgement.value);
+    for (const Evidence& one : judgement.evidence) text += " " + one.detail;
+    return text;
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+}
+
+}  // namespace
+
+TEST_CASE("every premise is read: with another the claim is judged otherwise" * doctest::test_suite("long")) {
+  const char* const size = std::getenv("PLUMBLINE_PRINTS");
+  const bool all = size != nullptr && std::string(size) == "all";
+  std::size_t number = 0, tried = 0;
+  for (const Claim& claim : all_claims()) {
+    for (std::size_t which = 0; which < claim.given.list().size(); ++which) {
+      if (!all && ++number % 8 != 1) continue;
+      const std::string own = whole_judgement(claim);
+      const std::vector<Premises> others = altered_premises(claim.given, which);
+      ++tried;
+      CHECK_MESSAGE(std::any_of(others.begin(), others.end(),
+                                [&](const Premises& other) {
+                                  Claim altered = claim;
+                                  altered.given = other;
+                                  return whole_judgement(altered) != own;
+                                }),
+                    claim.id << ": " << claim.given.list()[which].id);
+    }
+  }
+  if (all) MESSAGE(tried << " premises of claims altered");
+}
+
+TEST_CASE("what the paper says of Fig. 8 is not said of a chain with other rest angles") {
+  Claim claim = with_id(all_claims(), "fig-8-smooth").front();
+  REQUIRE(verdict_or_error(claim, claim.printed) == "confirmed");
+  std::vector<Premise> list = claim.given.list();
+  list.front().parts["rest"] = {"0", "pi/10", "-0.32"};
+  claim.given = Premises(list);
+  CHECK(verdict_or_error(claim, claim.printed) != "confirmed");
+}

@@ -102,7 +102,7 @@ TEST_CASE("a claim names the line at which its check begins, in a file that has 
     INFO(claim.id, " ", claim.source.file, ":", claim.source.line);
     std::ifstream file(PLUMBLINE_SOURCE_DIR "/" + claim.source.file);
     REQUIRE(file);
-    bool begins = false, listed = false;
+    bool begins = false, listed = !claim.stated.kind.empty();  // a stated check has no entry of its own
     int number = 0;
     for (std::string line; std::getline(file, line);) {
       if (++number == claim.source.line)

@@ -21,7 +21,7 @@ bool passes_for(const Bench& bench, const Outcome& outcome, std::size_t e, const
   return rms(rest) * std::sqrt(static_cast<double>(rest.size())) <= noticed;
 }
 
-/// The effect of a single joint that may imitate this one of all joints.
+/// The effect of a single joint that may be equivalent to this one of all joints.
 std::string_view of_one_joint(const Kind& kind) {
   constexpr std::array<std::pair<std::string_view, std::string_view>, 6> pairs{
       {{"joint_stops", "joint_stop"},

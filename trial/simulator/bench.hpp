@@ -17,7 +17,7 @@ struct Bench {
   Scatter scatter;
 };
 
-/// Nothing where the chain snaps.
+/// Draws a bench; nothing where the chain snaps.
 /// \param rough  noise of the second trial
 std::optional<Bench> draw_bench(Random& random, bool rough);
 

@@ -17,7 +17,7 @@ struct Reading {
 };
 using Readings = std::vector<Reading>;
 
-/// Of a force, a position and an angle.
+/// A value for each kind of sensor: force, position, angle.
 struct Sigma {
   double force = 0, position = 0, angle = 0;
 };

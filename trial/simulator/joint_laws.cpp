@@ -154,7 +154,7 @@ std::vector<Kind> friction() {
   };
 }
 
-/// Where a spring gives way, as a share of its largest deflection, and how much.
+/// Threshold of a piecewise spring, as a fraction of its largest deflection, and its softening.
 Values draw_knee(double deflection, Random& r) {
   return {significant(r.uniform(0.25, 0.7) * deflection, 4), significant(r.uniform(0.1, 0.4), 3)};
 }

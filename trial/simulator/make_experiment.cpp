@@ -65,8 +65,8 @@ struct Cast {
   double tolerance_strength = 0;
 };
 
-/// Nothing where the bench cannot grant the wish. An effect beside tolerances is half as strong again as they
-/// are.
+/// Nothing where the bench cannot have the requested effect. An effect beside tolerances is half as large
+/// again as they are.
 std::optional<Cast> cast(const Wish& wish, const Bench& bench, Random& random) {
   const Scene scene = scene_of(bench);
   Cast cast;
@@ -98,8 +98,7 @@ Outcome together(const Bench& bench, const Cast& cast) {
   return all.size() == 1 ? cast.alone.front() : outcome_of(bench, all);
 }
 
-/// Beside a cause, naming tolerances is as right as leaving them out; without a cause one of them must be
-/// named.
+/// Naming tolerances or not is both right beside a cause; without a cause one of them must be named.
 void allow_tolerances(trial::Label& label, const Bench& bench, const std::vector<Effect>& tolerances) {
   std::vector<std::string> cause;
   for (const trial::TrueEffect& effect : label.effects)
@@ -181,8 +180,8 @@ Experiment make_experiment(const Wish& wish, const std::string& name, Random& ra
               std::to_string(patience) + " attempts");
 }
 
-/// The wish is drawn before the bench, so that no wish becomes rarer; one that hundreds of benches cannot
-/// grant is replaced.
+/// The wish is drawn before the bench, so that every wish keeps its probability; a wish that hundreds of
+/// benches cannot grant is replaced.
 Experiment make_experiment(Trial trial, std::uint64_t seed, std::size_t number, const std::string& name) {
   Random random(seed, number);
   constexpr int wishes = 4;

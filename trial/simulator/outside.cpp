@@ -18,7 +18,7 @@ bool rubs(const Scene& s, Place j) {
 bool imposed_and_long(const Scene& s, Place j) {
   return never_force_controlled(s, j) && s.duration > 15 * s.sampling_interval;
 }
-/// What a friction law needs beside its torque goes to every elastic joint.
+/// Parameters of a friction law other than its torque apply to every elastic joint.
 void add_friction(Physics& is, const Friction& friction) {
   for (Joint& joint : is.joint)
     if (joint.stiffness > 0) joint.friction = friction;
@@ -253,7 +253,7 @@ std::vector<Kind> frictions_and_springs() {
   };
 }
 
-/// How far the middle of a link goes to one side: at the start of the runs, and at most.
+/// Lateral displacement of the middle of a link: at the start of the runs, and at most.
 struct Excursion {
   double start = -1e9, most = -1e9;
 };

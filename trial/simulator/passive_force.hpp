@@ -8,7 +8,7 @@
 
 namespace plumbline::simulator {
 
-/// Where the passive forces find their joints, and what they remember.
+/// The joints on which the passive forces act, and the memory of these forces.
 class PassiveForce {
  public:
   /// \param response  of the model, see Pace

@@ -93,7 +93,7 @@ struct Wall {
   double side = 1, height = 0, stiffness = 0;
 };
 
-/// What a run that was made on another day adds: clamped anew, the load cell set to zero anew.
+/// Changes of a run made on another day: a new clamping, a new zero of the load cell.
 struct OtherDay {
   std::vector<double> rest;  ///< to the rest angles; or none
   Pair tare{0, 0};           ///< to the load cell's zero
@@ -158,7 +158,7 @@ inline Physics physics_of(const Plan& plan) {
   return is;
 }
 
-/// Where a joint's spring is slack, as the run really is.
+/// The angle at which a joint's spring is slack, in the actual run.
 inline double rest_angle(const Physics& is, const PlannedRun& run, std::size_t j) {
   const auto other = is.other_day.find(run.id);
   const double anew = other == is.other_day.end() || other->second.rest.empty() ? 0 : other->second.rest[j];

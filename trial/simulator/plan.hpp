@@ -17,7 +17,7 @@ struct Nominal {
   Pair gravity{0, 0};  ///< in-plane gravity that the nominal model includes, m/s^2
 };
 
-/// What the carriage is told to do for one reading.
+/// The command of the carriage for one reading.
 struct Command {
   double t;
   Pair value;  ///< end point, or force on the end point

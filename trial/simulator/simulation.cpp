@@ -69,9 +69,9 @@ struct Timing {
   bool steady;       ///< whether it moves at a steady rate; else it starts and stops softly
 };
 
-/// Where real time matters the carriage moves nearly throughout, and the dynamics is that much faster. With
-/// dry friction what the joints carry depends on the way, which damping must not bend, and bristles need
-/// short steps.
+/// Real time matters for time-dependent laws: the carriage then moves nearly throughout, and the dynamics is
+/// that much faster. The torques of dry friction depend on the path, which damping must not distort, and
+/// bristles need short steps.
 Timing timing(const Physics& physics) {
   bool dry = physics.pivot_friction > 0, slides = false, timed = physics.lag > 0;
   for (const Joint& joint : physics.joint) {
@@ -133,11 +133,11 @@ class BenchAtWork {
     return {response, response / timing_.steps};
   }
 
-  /// What the carriage does when it is told a command, so much later than planned.
+  /// The motion of the carriage for a command, with the delay of the drive.
   Pair true_command(const Command& command, double late) const {
     return run_.force_controlled ? true_force(command.value, command.t + late) : true_end_point(command);
   }
-  /// The load cell is the servo's: what it reads is what was told.
+  /// The servo controls by the load cell, so the reading equals the command.
   Pair true_force(const Pair& told, double t) const {
     Pair cell;
     const Pair tare = physics_.tare(run_);
@@ -233,8 +233,8 @@ class BenchAtWork {
                model_->site_bodyid[end_], data_->qfrc_applied);
   }
 
-  /// Sets where the connection holds the chain. MuJoCo's constraint yields to its force, by R f = -K I r when
-  /// at rest; the anchor stands that much further.
+  /// Sets the anchor of the connection. MuJoCo's constraint yields to its force, by R f = -K I r at rest; the
+  /// anchor is displaced by as much.
   void hold() {
     mj_kinematics(model_.get(), data_.get());
     const Pair side = beside();

@@ -7,7 +7,7 @@
 
 namespace plumbline::simulator {
 
-/// What is true at one reading, before any instrument.
+/// The true state at one reading, before any instrument.
 struct State {
   double t;               ///< when it was read: later than planned where the chain took long to settle
   Pair end_point, force;  ///< force that the environment exerts on the end point

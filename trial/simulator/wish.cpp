@@ -17,7 +17,7 @@ bool is_group(const Kind& kind) {
 Wish one_of(Kinds kinds, Random& random) {
   return {{&random.one_of(kinds)}, {random.log_uniform(weakest, strongest)}};
 }
-/// What is in no catalogue is only asked for where it shows.
+/// A cause outside the catalogue is requested only where it is visible.
 Wish one_outside(Kinds kinds, Random& random) {
   return {{&random.one_of(kinds)}, {random.log_uniform(6, strongest)}};
 }
@@ -27,7 +27,7 @@ Wish one_with_groups(bool group, Random& random) {
   return {{kind}, {random.log_uniform(weakest, strongest)}};
 }
 
-/// Dry friction of all joints alike.
+/// Dry friction with one slip torque for all joints.
 bool rubs(const Kind& one) {
   constexpr std::array<std::string_view, 4> frictions{"joint_friction", "load_friction", "direction_friction",
                                                       "speed_friction"};
@@ -45,7 +45,7 @@ bool undetermined(const Kind& one, const Kind& other) {
          are("base_compliance", "train_compliance") || are("stiffness_scale", "force_gain");
 }
 
-/// Of a value at each joint nearly every other kind is a part; it comes alone.
+/// Values at each joint contain nearly every other kind, so they come alone.
 const Kind& simple(Kinds kinds, Random& random) {
   const Kind* kind = &random.one_of(kinds);
   while (!kind->each.empty()) kind = &random.one_of(kinds);

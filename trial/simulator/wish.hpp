@@ -14,12 +14,12 @@ struct Wish {
   bool rough = false;       ///< noise beyond what is declared
 };
 
-/// What every chain has beside its effect: each stiffness within 5 %, each length within 0.5 %, each rest
-/// angle within 0.5 degrees of nominal.
+/// Tolerances that every chain has beside its effect: each stiffness within 5 %, each length within 0.5 %,
+/// each rest angle within 0.5 degrees of nominal.
 std::vector<Effect> draw_tolerances(const Scene& scene, Random& random);
 
-/// The first trial. Of a hundred, 15 have no effect, 60 have one of the first catalogue, 13 two, and 12 one
-/// that is in no catalogue.
+/// The first trial: 15 % without an effect, 60 % with one of the first catalogue, 13 % with two, 12 % with
+/// one outside the catalogue.
 Wish draw_wish(Random& random);
 
 /// The second trial, all with rough noise. A third is in no catalogue; a third has groups (values of its own

@@ -8,8 +8,8 @@
 
 namespace plumbline::simulator {
 
-/// Writes experiment.toml and a sample file a run: everything that the lab knows and nothing of the label.
-/// The folder is made.
+/// Writes experiment.toml and a sample file a run: all that the lab knows, and nothing of the label. The
+/// folder is made.
 void write_experiment(const Experiment& experiment, const std::filesystem::path& folder);
 
 }  // namespace plumbline::simulator

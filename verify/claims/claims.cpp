@@ -4,6 +4,7 @@
 #include <plumbline/base/error.hpp>
 
 #include "verify/claims/lines.hpp"
+#include "verify/generic/generic.hpp"
 #include "verify/paper/paper.hpp"
 
 namespace plumbline::verify {
@@ -14,7 +15,7 @@ Checks (*const lists[])() = {
     claims::first_figures,  claims::loaded_three_link, claims::zigzag,           claims::loaded_four_link,
     claims::quasi_buckling, claims::three_link,        claims::linearised_model, claims::linear_equations,
     claims::sign_of_force,  claims::eigenvalues,       claims::energy,           claims::four_link,
-    claims::energy_surface, claims::spatial_chains,    claims::discussion,
+    claims::energy_surface, claims::spatial_chains,    claims::discussion,       claims::outside_the_model,
 };
 
 std::map<std::string, Check> all_checks() {
@@ -27,26 +28,47 @@ std::map<std::string, Check> all_checks() {
   return all;
 }
 
-CodeLine line_of(const std::string& id) {
+CodeLine line_of(const std::string& function) {
   for (const CheckLine& one : check_lines) {
-    if (id == one.claim) return {one.file, one.line};
+    if (function == one.claim) return {one.file, one.line};
   }
-  throw Error("claim " + id, "no line of code", "the one that verify/claims/lines.py finds");
+  throw Error("claim " + function, "no line of code", "the one that verify/claims/lines.py finds");
+}
+
+/// Gives each claim the check that it states, or else the function that has its id, which is taken out of
+/// `functions`.
+void give_checks(std::vector<Claim>& claims, std::map<std::string, Check>& functions) {
+  for (Claim& claim : claims) {
+    if (!claim.stated.kind.empty()) {
+      claim.check = generic_check(claim.stated);
+      claim.source = line_of("generic " + claim.stated.kind);
+      continue;
+    }
+    const auto check = functions.extract(claim.id);
+    if (check.empty()) throw Error("claim " + claim.id, "no check", "one that it states (docs/papers.md)");
+    claim.check = check.mapped();
+    claim.source = line_of(claim.id);
+  }
 }
 
 }  // namespace
 
+Paper with_checks(Paper paper) {
+  constexpr const char* ours = "10.1016/j.mechmachtheory.2022.104783";
+  auto functions = paper.doi == ours ? all_checks() : std::map<std::string, Check>{};
+  give_checks(paper.claims, functions);
+  give_checks(paper.facts, functions);
+  if (!functions.empty()) throw Error("check of " + functions.begin()->first, "no such claim", "one");
+  return paper;
+}
+
+const Paper& checked_paper() {
+  static const Paper instance = with_checks(paper());
+  return instance;
+}
+
 std::vector<Claim> all_claims() {
-  std::vector<Claim> claims = paper().claims;
-  auto checks = all_checks();
-  for (Claim& claim : claims) {
-    const auto check = checks.extract(claim.id);
-    if (check.empty()) throw Error("claim " + claim.id, "no check", "one");
-    claim.check = check.mapped();
-    claim.source = line_of(claim.id);
-  }
-  if (!checks.empty()) throw Error("check of " + checks.begin()->first, "no such claim", "one");
-  return claims;
+  return checked_paper().claims;
 }
 
 }  // namespace plumbline::verify

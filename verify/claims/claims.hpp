@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "verify/judging/claim.hpp"
+#include "verify/paper/paper.hpp"
 
 namespace plumbline::verify {
 
@@ -14,7 +15,7 @@ using Checks = std::vector<std::pair<std::string, Check>>;
 
 namespace claims {
 
-Checks outline();            ///< section 1, what the others are about
+Checks outline();            ///< what the paper says of its sections, equations and symbols
 Checks two_link();           ///< section 2, (1) to (3) and what is said around them
 Checks first_figures();      ///< section 2, Figures 2, 3, 5 and 6
 Checks three_link_model();   ///< section 2, (4) to (10)
@@ -33,11 +34,19 @@ Checks four_link();          ///< section 4.2, (40), the polynomial, Tables 2 an
 Checks energy_surface();     ///< section 4.2, Fig. 16
 Checks spatial_chains();     ///< section 5, chains in space
 Checks discussion();         ///< section 5, prismatic joints, gravity, parameters
+Checks outside_the_model();  ///< section 5, couplings, end torque, new starts, tolerance
 
 }  // namespace claims
 
-/// All of them, in the order of the paper.
-/// \throws Error where a claim has no check, or a check no claim
+/// The paper with a check for each claim and each fact: the one that it states, or else, in the paper that
+/// the program was made for, told by its DOI, the function of this folder that has its id.
+/// \throws Error where a claim has no check, or a function no claim
+Paper with_checks(Paper paper);
+
+/// The paper that the program was made for.
+const Paper& checked_paper();
+
+/// Its claims, in its order.
 std::vector<Claim> all_claims();
 
 }  // namespace plumbline::verify

@@ -7,8 +7,8 @@
 #include <plumbline/straight/critical_force.hpp>
 
 #include "proofs/exact/expression.hpp"
+#include "verify/chains/loaded_chains.hpp"
 #include "verify/claims/claims.hpp"
-#include "verify/claims/loaded_chains.hpp"
 #include "verify/judging/comparison.hpp"
 
 namespace plumbline::verify {
@@ -83,14 +83,15 @@ Judgement prismatic_deflection(const Printed& printed, int) {
 }
 
 /// The unstable equilibria of a chain whose shapes at an end point form closed curves.
-Judgement disturbance(const Printed& printed, int) {
+Judgement disturbance(const Printed& printed, const Premises& given, int) {
   const Rational d(1, 10);
-  const proofs::Census census = held_at(fig7_chain(), unloaded_reach(fig7_chain()) - Interval(d));
+  const HeldChain chain = held(given, "fig-7-chain");
+  const proofs::Census& census = chain.at(d);
   std::size_t unstable = 0, maxima = 0;
   for (const auto& one : census.equilibria) {
     if (one.negative_directions.value() == 0) continue;
     ++unstable;
-    maxima += one.negative_directions.value() == fig7_chain().size() - 2 ? 1 : 0;
+    maxima += one.negative_directions.value() == chain.chain.size() - 2 ? 1 : 0;
   }
   const bool leaves = unstable > 0 && maxima == unstable && unstable < census.equilibria.size();
   return judge_word(
@@ -125,12 +126,13 @@ Judgement other_force(const Printed& printed, int) {
 }
 
 /// Whether other stiffnesses change the ratio of the forces at two deflections.
-Judgement other_stiffness(const Printed& printed, int) {
-  const auto ratio = [](int third) {
-    const Chain<Interval> chain({1, 1, 1}, {0, 1, third}, fig7_chain().rest());
-    const auto force = [&](const Rational& d) {
-      return held_at(chain, unloaded_reach(chain) - Interval(d)).equilibria.front().fx;
-    };
+Judgement other_stiffness(const Printed& printed, const Premises& given, int) {
+  const auto ratio = [&](int third) {
+    const Chain<Interval> nominal = given.chain("fig-7-chain");
+    std::vector<Interval> stiffness = nominal.stiffness();
+    stiffness.back() *= Interval(third);
+    const HeldChain chain = held(Chain<Interval>(nominal.length(), stiffness, nominal.rest()));
+    const auto force = [&](const Rational& d) { return chain.at(d).equilibria.front().fx; };
     return force(Rational(1, 10)) / force(Rational(6, 10));
   };
   const Interval nominal = ratio(1), other = ratio(2);
@@ -240,10 +242,13 @@ Judgement gravity_small(const Printed& printed, int) {
   const ex bend = (-V.diff(unknown).subs(q == 0) / V.diff(unknown, 2)).normal();
   const bool unbounded =
       bend.denom().subs(f.symbol("F") == 2 * f.symbol("k") / f.symbol("L")).normal().is_zero();
-  const std::string truth =
-      "it depends on the weights: the lateral deflection " + proofs::text(bend) +
-      " of a two-link chain grows without bound towards F_c = 2k/L, and no bifurcation is left for any w "
-      "other than zero; small means w L << 2k - F L";
+  // the middle joint moves aside by L sin q
+  const ex deflection = proofs::series_coefficient(f.symbol("L") * sin(q), q, 1) * bend;
+  const std::string truth = "it depends on the weights: the lateral deflection " +
+                            proofs::text(deflection.normal()) +
+                            " of the middle joint of a two-link chain grows without bound towards F_c = "
+                            "2k/L, and no bifurcation is "
+                            "left for any w other than zero; small means w L << 2k - F L";
   if (printed.at(0) != "small" && printed.at(0) != "none")
     throw Error("claim", printed.at(0), "small or none");
   const Verdict verdict = bend.is_zero()                          ? Verdict::confirmed
@@ -251,7 +256,8 @@ Judgement gravity_small(const Printed& printed, int) {
                                                                   : Verdict::refuted;
   return {verdict,
           verdict == Verdict::confirmed ? "" : truth,
-          {{EvidenceKind::symbolic, "q = " + proofs::text(bend) + " from V' = 0 to first order"}},
+          {{EvidenceKind::symbolic,
+            "the angle q = " + proofs::text(bend) + " from V' = 0 to first order, the deflection L q"}},
           ""};
 }
 

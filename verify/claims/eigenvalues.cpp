@@ -4,15 +4,16 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include <map>
 #include <plumbline/chain/strain_energy.hpp>
 #include <plumbline/straight/critical_force.hpp>
 
 #include "proofs/exact/decimal.hpp"
 #include "proofs/exact/exact_chain.hpp"
 #include "proofs/exact/symbolic_chain.hpp"
+#include "verify/chains/post_buckling.hpp"
+#include "verify/chains/straight_chains.hpp"
 #include "verify/claims/claims.hpp"
-#include "verify/claims/post_buckling.hpp"
-#include "verify/claims/straight_chains.hpp"
 #include "verify/judging/comparison.hpp"
 
 namespace plumbline::verify {
@@ -46,11 +47,18 @@ Judgement determinant_A(const Printed& printed, int) {
                      {EvidenceKind::symbolic, "n = 2 … 6: the last row and column of A vanish"}});
 }
 
+/// Both computed once for each n.
 std::size_t generic_rank(std::size_t n) {
-  return proofs::rank_of_BinvA(proofs::SymbolicChain::generic(n));
+  static std::map<std::size_t, std::size_t> known;
+  const auto found = known.find(n);
+  if (found != known.end()) return found->second;
+  return known.emplace(n, proofs::rank_of_BinvA(proofs::SymbolicChain::generic(n))).first->second;
 }
-proofs::ZeroEigenvalue generic_zero(std::size_t n) {
-  return proofs::zero_eigenvalue(proofs::SymbolicChain::generic(n));
+const proofs::ZeroEigenvalue& generic_zero(std::size_t n) {
+  static std::map<std::size_t, proofs::ZeroEigenvalue> known;
+  const auto found = known.find(n);
+  if (found != known.end()) return found->second;
+  return known.emplace(n, proofs::zero_eigenvalue(proofs::SymbolicChain::generic(n))).first->second;
 }
 
 Judgement rank(const Printed& printed, int) {
@@ -93,7 +101,7 @@ Judgement straight(const Printed& printed, int) {
   std::size_t unbent = 0;
   std::size_t multiplicity = 0;
   for (std::size_t n = fewest; n <= most; ++n) {
-    const proofs::ZeroEigenvalue zero = generic_zero(n);
+    const proofs::ZeroEigenvalue& zero = generic_zero(n);
     multiplicity = zero.algebraic;
     unbent = 0;
     for (const GiNaC::matrix& v : zero.jordan_chain) {
@@ -213,8 +221,8 @@ std::size_t negative_directions(const Chain<Rational>& chain, const Rational& F)
   return negative;
 }
 
-Judgement buckles_at(const Printed& printed, int) {
-  const Chain<Rational> chain = four_link_chain();
+Judgement buckles_at(const Printed& printed, const Premises& given, int) {
+  const Chain<Rational> chain = given.exact_chain("unit-chain");
   std::string found;
   bool first = true;
   // forces between the critical ones 0.92…, 2.30…, 3.51… and beyond them
@@ -246,8 +254,8 @@ Rational initial_curvature(const Rational& k2) {
 }
 
 /// printed: what the straight shape is below the critical force, and beyond it
-Judgement straight_until(const Printed& printed, int) {
-  const Chain<Rational> chain = four_link_chain();
+Judgement straight_until(const Printed& printed, const Premises& given, int) {
+  const Chain<Rational> chain = given.exact_chain("unit-chain");
   const auto word = [&](const Rational& F) {
     return std::string(negative_directions(chain, F) == 0 ? "stable" : "unstable");
   };
@@ -339,18 +347,18 @@ Judgement generality(const Printed& printed, int) {
           ""};
 }
 
-Judgement agrees_with_4_1(const Printed& printed, int) {
-  const proofs::Polynomial D = proofs::bordered_determinant(three_link_chain());
+Judgement agrees_with_4_1(const Printed& printed, const Premises& given, int) {
+  const proofs::Polynomial D = proofs::bordered_determinant(given.exact_chain("three-links"));
   const std::optional<Rational> F = proofs::parse_decimal(printed.at(0));
   if (!F) throw Error("claim", printed.at(0), "a multiple of k/L");
   const bool root = proofs::evaluate(D, *F) == 0;
-  const bool lowest = count_below(three_link_chain(), *F) == 0;
+  const bool lowest = count_below(given.exact_chain("three-links"), *F) == 0;
   return {root && lowest ? Verdict::confirmed : Verdict::refuted,
           root && lowest ? "" : "the lowest root is F = k/L",
           {{EvidenceKind::exact,
             fmt::format("L = (1,1,1), k = (0,1,1): det(A F + B) vanishes at F = {}: {}; critical forces "
                         "below it: {}",
-                        printed.at(0), root, count_below(three_link_chain(), *F))}},
+                        printed.at(0), root, count_below(given.exact_chain("three-links"), *F))}},
           printed.at(0) + " k/L"};
 }
 

@@ -7,10 +7,11 @@
 #include <map>
 #include <plumbline/straight/critical_force.hpp>
 
+#include "proofs/exact/enclosure.hpp"
 #include "proofs/exact/exact_chain.hpp"
 #include "proofs/exact/symbolic_chain.hpp"
+#include "verify/chains/straight_chains.hpp"
 #include "verify/claims/claims.hpp"
-#include "verify/claims/straight_chains.hpp"
 #include "verify/judging/comparison.hpp"
 #include "verify/paper/paper.hpp"
 
@@ -44,18 +45,6 @@ struct SymbolicMode {
   }
 };
 
-Judgement mode_energy(const Printed& printed, int) {
-  const SymbolicMode mode;
-  return judge_formulas(mode.formulas, printed, {mode.energy, mode.shortening}, {"E_i", "delta_x"},
-                        "q = mu v in sum k q^2 / 2 and in (25), n = 4");
-}
-
-Judgement factor(const Printed& printed, int) {
-  const SymbolicMode mode;
-  return judge_formulas(mode.formulas, printed, {mode.energy / mode.shortening}, {"mu_i^0"},
-                        "E_i / delta_x of (37), n = 4");
-}
-
 Judgement energy_law(const Printed& printed, int) {
   const SymbolicMode mode;
   const proofs::Formulas formulas({"f", "dx"});
@@ -82,25 +71,29 @@ Judgement factor_order(const Printed& printed, int) {
        {EvidenceKind::symbolic, "n = 2 … 6: (29) and (30) inserted in (39) leave F"}});
 }
 
-/// Negative directions at a small bent shape of mode m, among those that keep the end point: one for each
-/// lower mode.
-Judgement first_mode(const Printed& printed, int) {
-  const Chain<Rational> chain = four_link_chain();
-  // just above F_m: m negative directions, of which the mode itself is one, which the end point forbids
-  const std::vector<Rational> above{Rational(925, 1000), Rational(2306, 1000), Rational(352, 100)};
-  std::string stable;
-  std::string found;
-  for (std::size_t m = 0; m < above.size(); ++m) {
-    const std::size_t index = count_below(chain, above[m]) - 1;
+/// Negative directions at a small bent shape of each mode, among those that keep the end point: the force of
+/// mode m is the m-th, and just above it m directions are negative, of which the mode itself is one, which
+/// the end point forbids.
+Judgement first_mode(const Printed& printed, const Premises& given, int) {
+  const Chain<Rational> chain = given.exact_chain("unit-chain");
+  const std::size_t modes = chain.size() - 1;
+  const auto forces = proofs::enclose_critical_forces(chain, modes, 30);
+  std::string found, stable;
+  for (std::size_t m = 0; m < modes; ++m) {
+    const std::size_t index = count_below(chain, forces[m].high) - 1;
+    if (count_below(chain, forces[m].low) != m || index != m)
+      throw Error("mode " + std::to_string(m + 1), std::to_string(index) + " negative directions",
+                  std::to_string(m) + ", by the theorem “Count of shapes”");
     if (index == 0) stable += std::to_string(m + 1);
     found += fmt::format("{}mode {}: {}", m == 0 ? "" : ", ", m + 1, index);
   }
   const std::string which = stable == "1" ? "minimum" : "another";
-  return judge_word(printed.at(0), which, "only the mode of the minimum energy is stable",
-                    {{EvidenceKind::exact,
-                      "unit chain of four links, negative directions of the energy at the small bent shape "
-                      "under an imposed end point: " +
-                          found}});
+  return judge_word(
+      printed.at(0), which, "only the mode of the minimum energy is stable",
+      {Evidence::by_theorem("Count of shapes", "at the small shape of mode m m - 1 directions are negative"),
+       {EvidenceKind::exact,
+        "the chain of the example, critical forces below the upper bound of F_m, to 30 digits, less one: " +
+            found}});
 }
 
 Judgement energy_count(const Printed& printed, int) {
@@ -157,14 +150,8 @@ Judgement reference_of_39(const Printed& printed, int) {
 
 Checks claims::energy() {
   return {
-      {"eq-37", mode_energy},
-      {"eq-38", energy_law},
-      {"eq-39", factor},
-      {"energy-count", energy_count},
-      {"first-mode-observed", first_mode},
-      {"factor-order", factor_order},
-      {"reference-37", reference_of_37},
-      {"reference-39", reference_of_39},
+      {"eq-38", energy_law},          {"energy-count", energy_count},    {"first-mode-observed", first_mode},
+      {"factor-order", factor_order}, {"reference-37", reference_of_37}, {"reference-39", reference_of_39},
   };
 }
 

@@ -9,18 +9,17 @@
 #include <set>
 
 #include "proofs/census/census.hpp"
+#include "proofs/exact/decimal.hpp"
+#include "verify/chains/loaded_chains.hpp"
 #include "verify/claims/claims.hpp"
-#include "verify/claims/loaded_chains.hpp"
 #include "verify/judging/comparison.hpp"
 #include "verify/judging/sign.hpp"
 
 namespace plumbline::verify {
 namespace {
 
-const proofs::Census& census() {
-  static const proofs::Census instance =
-      held_at(Chain<Interval>({1, 1, 1, 1}, {1, 1, 1, 1}, {0, 0, 0, 0}), Interval(Rational(35, 10)));
-  return instance;
+const proofs::Census& landscape(const Premises& given) {
+  return held(given, "unit-chain").at(given.exact("fig-16-deflection"));
 }
 
 std::string kind(const proofs::CertifiedEquilibrium& one) {
@@ -38,16 +37,18 @@ std::string word(const proofs::CertifiedEquilibrium& one) {
   return found == names.end() ? pattern : found->second;
 }
 
-std::string summary() {
+std::string summary(const Premises& given) {
   std::vector<std::string> list;
-  for (const auto& one : census().equilibria)
+  for (const auto& one : landscape(given).equilibria)
     list.push_back(fmt::format("{} {} (E = {} k)", word(one), kind(one), certified_decimal(one.energy, 5)));
-  return fmt::format("certified census at the end point (3.5, 0), {} boxes: {}", census().boxes,
+  return fmt::format("certified census at {} L, {} boxes: {}",
+                     proofs::to_exact(given.exact("fig-16-deflection")), landscape(given).boxes,
                      fmt::join(list, ", "));
 }
 
-Judgement of_census(const std::string& printed, const std::string& found, const std::string& truth) {
-  return judge_word(printed, found, truth, {{EvidenceKind::interval, summary()}});
+Judgement of_census(const Premises& given, const std::string& printed, const std::string& found,
+                    const std::string& truth) {
+  return judge_word(printed, found, truth, {{EvidenceKind::interval, summary(given)}});
 }
 
 /// What a function E(q1, q2) of a chain with two constraints has had eliminated.
@@ -67,9 +68,9 @@ Judgement excluded(const Printed& printed, int) {
 }
 
 /// printed: kind of point, stability
-Judgement stability(const Printed& printed, int) {
+Judgement kind_and_stability(const Printed& printed, const Premises& given, int) {
   std::string found;
-  for (const auto& one : census().equilibria) {
+  for (const auto& one : landscape(given).equilibria) {
     if (kind(one) == printed.at(0)) found = one.negative_directions == 0 ? "stable" : "unstable";
   }
   if (found.empty()) throw Error("claim", printed.at(0), "minimum, saddle or maximum");
@@ -80,72 +81,94 @@ Judgement stability(const Printed& printed, int) {
            "Stability",
            "with the end point held, stable is where E has a strict minimum, and what has a negative "
            "direction is not"),
-       {EvidenceKind::interval, summary()}});
+       {EvidenceKind::interval, summary(given)}});
 }
 
-Judgement kinds(const Printed& printed, int) {
-  const std::string found = extrema(census());
-  return of_census(printed.at(0), found, "there are " + found);
-}
-
-Judgement totals(const Printed& printed, int) {
-  const std::string found = fmt::format("{}: {}", census().equilibria.size(), types(census()));
-  return of_census(printed.at(0), found, found);
+Judgement totals(const Printed& printed, const Premises& given, int) {
+  const std::string found = types(landscape(given)),
+                    total = std::to_string(landscape(given).equilibria.size()) + ": ";
+  const bool right =
+      printed.at(0).starts_with(total) && Counts(printed.at(0).substr(total.size())) == Counts(found);
+  return {right ? Verdict::confirmed : Verdict::refuted,
+          right ? "" : total + found,
+          {{EvidenceKind::interval, summary(given)}},
+          ""};
 }
 
 /// Equilibria on each of the two sheets of E(q1, q2).
-Judgement sheets(const Printed& printed, int) {
+Judgement sheets(const Printed& printed, const Premises& given, int) {
   std::map<char, std::size_t> count;
-  for (const auto& one : census().equilibria) ++count[sign_character(sin(one.q[3]))];
-  const std::string total = std::to_string(census().equilibria.size()),
+  for (const auto& one : landscape(given).equilibria) ++count[sign_character(sin(one.q[3]))];
+  const std::string total = std::to_string(landscape(given).equilibria.size()),
                     found = fmt::format("{} for q4 > 0, {} for q4 < 0", count['+'], count['-']);
   Judgement result =
-      of_census(printed.at(0), found,
+      of_census(given, printed.at(0), found,
                 "q1 and q2 leave the sign of q4 open: E(q1, q2) has two sheets, and of the equilibria " +
                     found + " (Figures 11 and 13 show the sheet q4 > 0 alone)");
   if (printed.at(0) == total) result.verdict = Verdict::imprecise;
   return result;
 }
 
-/// Whether the two minima, and the two maxima, have equal energy: all are global.
-Judgement global(const Printed& printed, int) {
-  std::map<std::string, std::vector<Interval>> energy;
-  for (const auto& one : census().equilibria) energy[kind(one)].push_back(one.energy);
-  bool equal = true;
-  for (const char* extreme : {"minimum", "maximum"}) {
-    const auto& values = energy[extreme];
-    for (const Interval& e : values)
-      equal = equal && !certainly_less(e, values.front()) && !certainly_less(values.front(), e);
-  }
-  return of_census(printed.at(0), equal ? "global" : "local", "some of them are only local");
+/// Whether all points of a kind have equal energy: then they are global.
+bool equal_energies(const proofs::Census& points, const std::string& extreme) {
+  std::vector<Interval> energies;
+  for (const auto& one : points.equilibria)
+    if (kind(one) == extreme) energies.push_back(one.energy);
+  return !energies.empty() && std::all_of(energies.begin(), energies.end(), [&](const Interval& e) {
+    return !certainly_less(e, energies.front()) && !certainly_less(energies.front(), e);
+  });
+}
+
+/// Whether the two minima, and the two maxima, have equal energy.
+Judgement global(const Printed& printed, const Premises& given, int) {
+  const bool equal =
+      equal_energies(landscape(given), "minimum") && equal_energies(landscape(given), "maximum");
+  return of_census(given, printed.at(0), equal ? "global" : "local", "some of them are only local");
+}
+
+/// The same of the minima at a small deflection.
+Judgement globally_stable(const Printed& printed, const Premises& given, int) {
+  const Rational small = given.exact("small-deflection");
+  const proofs::Census& points = held(given, "unit-chain").at(small);
+  return judge_word(
+      printed.at(0), equal_energies(points, "minimum") ? "global" : "local", "one of them has more energy",
+      {{EvidenceKind::interval, fmt::format("certified census at {} L: {}, both minima of one energy",
+                                            proofs::to_exact(small), extrema(points))}});
 }
 
 /// Shape and stability, each shape once.
-Judgement surface_shapes(const Printed& printed, int) {
+Judgement surface_shapes(const Printed& printed, const Premises& given, int) {
   std::map<std::string, std::string> found;
-  for (const auto& one : census().equilibria) {
+  for (const auto& one : landscape(given).equilibria) {
     std::string& here = found[word(one)];
     const std::string kind = one.negative_directions == 0 ? "stable" : "unstable";
     here = here.empty() || here == kind ? kind : "either";
   }
   std::vector<std::string> list;
   for (const auto& [shape, kind] : found) list.insert(list.end(), {shape, kind});
-  return judge_list(printed, list, fmt::format("the equilibria are {}", fmt::join(list, " ")),
-                    {{EvidenceKind::interval, summary()}});
+  return judge_rows(printed, list, 2, fmt::format("the equilibria are {}", fmt::join(list, " ")),
+                    {{EvidenceKind::interval, summary(given)}});
 }
 
-Judgement preferred(const Printed& printed, int) {
-  return of_census(printed.at(0), word(census().equilibria.front()), "another shape has the least energy");
+Judgement preferred(const Printed& printed, const Premises& given, int) {
+  return of_census(given, printed.at(0), word(landscape(given).equilibria.front()),
+                   "another shape has the least energy");
 }
 
 }  // namespace
 
 Checks claims::energy_surface() {
   return {
-      {"fig-16-excluded", excluded}, {"fig-16-maxima", stability}, {"fig-16-minima", stability},
-      {"fig-16-saddles", stability}, {"fig-16-kinds", kinds},      {"fig-16-global", global},
-      {"fig-16-count", totals},      {"fig-16-sheets", sheets},    {"fig-16-shapes", surface_shapes},
+      {"fig-16-excluded", excluded},
+      {"fig-16-maxima", kind_and_stability},
+      {"fig-16-minima", kind_and_stability},
+      {"fig-16-saddles", kind_and_stability},
+      {"fig-16-global", global},
+      {"fig-16-count", totals},
+      {"fig-16-sheets", sheets},
+      {"fig-16-shapes", surface_shapes},
       {"fig-16-prefers", preferred},
+      {"four-link-globally-stable", globally_stable},
   };
 }
 

@@ -9,10 +9,10 @@
 
 #include "proofs/census/census.hpp"
 #include "proofs/exact/symbolic_statics.hpp"
+#include "verify/chains/loaded_chains.hpp"
+#include "verify/chains/post_buckling.hpp"
+#include "verify/chains/three_link_plane.hpp"
 #include "verify/claims/claims.hpp"
-#include "verify/claims/loaded_chains.hpp"
-#include "verify/claims/post_buckling.hpp"
-#include "verify/claims/three_link_plane.hpp"
 #include "verify/judging/comparison.hpp"
 #include "verify/judging/sign.hpp"
 
@@ -89,9 +89,9 @@ Judgement shape_depends(const Printed& printed, int) {
                      Evidence::by_theorem("Two links", "force and deflection grow strictly with q")});
 }
 
-Judgement bent_minimum(const Printed& printed, int) {
+Judgement bent_minimum(const Printed& printed, const Premises& given, int) {
   std::string note;
-  const Interval alpha = Interval::pi() / Interval(6);
+  const Interval alpha = given.value("fig-3-angle");
   const std::string word =
       dependence(alpha, {Rational(1, 2), Rational(1), Rational(2), Rational(3)}, note) == "depends"
           ? "nonzero"
@@ -103,9 +103,9 @@ Judgement bent_minimum(const Printed& printed, int) {
        Evidence::by_theorem("Two links", "force and deflection grow strictly with q")});
 }
 
-Judgement through_zero(const Printed& printed, int) {
+Judgement through_zero(const Printed& printed, const Premises& given, int) {
   const proofs::Formulas formulas({"F", "Delta"});
-  const Interval alpha = Interval::pi() / Interval(6);
+  const Interval alpha = given.value("fig-3-angle");
   const Interval force = Interval(0) / sin(alpha);  // F(0) = 2 k 0 / (L sin alpha)
   const bool zero = force.contains_zero() && deflection(alpha, Interval(0)).contains_zero();
   const bool right =
@@ -117,8 +117,8 @@ Judgement through_zero(const Printed& printed, int) {
       ""};
 }
 
-Judgement resists(const Printed& printed, int) {
-  const Interval alpha = Interval::pi() / Interval(6);
+Judgement resists(const Printed& printed, const Premises& given, int) {
+  const Interval alpha = given.value("fig-3-angle");
   // F Delta over k: q (cos alpha - cos(alpha + q)) / sin(alpha + q), up to a positive factor
   const auto work = [&](const Interval& q) { return q * deflection(alpha, q) / sin(alpha + q); };
   const auto pushed = certain_sign(work, Interval(Rational(1, 100)), Interval(Rational(26, 10)));
@@ -136,41 +136,44 @@ Judgement resists(const Printed& printed, int) {
 
 // --- three links with a passive base
 
-Chain<Interval> straight_chain() {
-  return three_link_chain_at(0, 0);
+HeldChain straight_chain(const Premises& given) {
+  return held(given, "three-links");
+}
+const PlaneProof& straight_plane(const Premises& given) {
+  return prove_in_plane(straight_chain(given), Rational(1, 10000), Rational(19, 10));
 }
 
 /// Those of one deflection, which stand for all where the proof in the plane is whole.
-const std::vector<proofs::CertifiedEquilibrium>& bent_equilibria() {
-  static const proofs::Census census = held_at(straight_chain(), Interval(Rational(27, 10)));
-  if (!straight_plane().whole) throw Error("straight chain", "an open range of deflections", "a proof");
-  return census.equilibria;
+const std::vector<proofs::CertifiedEquilibrium>& bent_equilibria(const Premises& given) {
+  if (!straight_plane(given).whole) throw Error("straight chain", "an open range of deflections", "a proof");
+  return straight_chain(given).at(Rational(3, 10)).equilibria;
 }
 
-Evidence of_all_deflections(const std::string& census) {
+Evidence of_straight_chain(const Premises& given, const std::string& census) {
   return {EvidenceKind::interval,
-          "straight chain, " + straight_plane().text() + "; certified census at 0.3 L: " + census};
+          "straight chain, " + straight_plane(given).text() + "; certified census at 0.3 L: " + census};
 }
 
-Judgement equilibria(const Printed& printed, int) {
-  const std::string found = std::to_string(bent_equilibria().size());
-  return judge_word(printed.at(0), found, found + " equilibria at a deflection", {of_all_deflections(found)});
+Judgement equilibria(const Printed& printed, const Premises& given, int) {
+  const std::string found = std::to_string(bent_equilibria(given).size());
+  return judge_word(printed.at(0), found, found + " equilibria at a deflection",
+                    {of_straight_chain(given, found)});
 }
 
-Judgement stable_letters(const Printed& printed, int) {
+Judgement stable_letters(const Printed& printed, const Premises& given, int) {
   std::map<char, std::string> found;
-  for (const auto& one : bent_equilibria()) {
+  for (const auto& one : bent_equilibria(given)) {
     std::string& word = found[letter(one).front()];
     const std::string here = one.negative_directions.value() == 0 ? "stable" : "unstable";
     word = word.empty() || word == here ? here : "both";
   }
-  return judge_list(printed, {"U", found['U'], "Z", found['Z']},
+  return judge_rows(printed, {"U", found['U'], "Z", found['Z']}, 2,
                     fmt::format("U is {}, Z is {}", found['U'], found['Z']),
-                    {of_all_deflections(fmt::format("U is {}, Z is {}", found['U'], found['Z']))});
+                    {of_straight_chain(given, fmt::format("U is {}, Z is {}", found['U'], found['Z']))});
 }
 
-Judgement like_column(const Printed& printed, int) {
-  const Chain<Interval> chain = straight_chain();
+Judgement like_column(const Printed& printed, const Premises& given, int) {
+  const Chain<Interval> chain = straight_chain(given).chain;
   // (16): mode 1 has F = k/L and the orientations (1, 0, -1)
   const Interval curvature = post_buckling_curvature<Interval>(
       chain, {Interval(1), {Interval(1), Interval(-1), Interval(-1)}, Interval(0)});
@@ -182,40 +185,52 @@ Judgement like_column(const Printed& printed, int) {
                      {EvidenceKind::interval, "F_2 of the U-shape in " + curvature.text(5) + " k/L"}});
 }
 
-/// The U-shape that a nearly straight chain takes, by the sign of both rest angles.
-std::string side(int sign) {
-  const Chain<Interval> chain = three_link_chain_at(Rational(sign, 60), Rational(sign, 60));
-  const Rational at(3, 10);
-  const SlowPath path = compress_slowly(chain, unloaded_reach(chain), 0.5);
-  return letter(reached(held_at(chain, unloaded_reach(chain) - Interval(at)), path, at));
+/// The nearly straight chain, or its mirror image.
+HeldChain quasi_straight(const Premises& given, int sign) {
+  const Chain<Interval> chain = given.chain("quasi-straight");
+  std::vector<Interval> rest = chain.rest();
+  for (Interval& angle : rest) angle *= Interval(sign);
+  return held(Chain<Interval>(chain.length(), chain.stiffness(), rest));
 }
 
-Judgement which_side(const Printed& printed, int) {
-  const std::string left = side(-1), right = side(1);
-  const bool chosen = left == "U+" && right == "U-";
+/// The U-shape that it takes.
+std::string side(const Premises& given, int sign) {
+  const HeldChain chain = quasi_straight(given, sign);
+  const Rational at(3, 10);
+  return letter(reached(chain.at(at), chain.compressed(0.5), at));
+}
+
+std::string rest_angle(const Premises& given) {
+  return given.at("quasi-straight").parts.at("rest").back();
+}
+
+Judgement which_side(const Printed& printed, const Premises& given, int) {
+  const std::string left = side(given, 1), right = side(given, -1);
+  const bool chosen = left == "U⁺" && right == "U⁻";
   return judge_word(
       printed.at(0), chosen ? "the perturbation" : "nothing",
       "the observed shape does not depend on the rest angles",
       {{EvidenceKind::interval,
-        fmt::format("slowly compressed to 0.3 L the chain with alpha_1 = alpha_2 = -pi/60 is {}, with "
-                    "+pi/60 {}; each is in the certified census there",
-                    left, right)}});
+        fmt::format(
+            "slowly compressed to 0.3 L the chain with alpha_1 = alpha_2 = {} is {}, its mirror image "
+            "{}; each is in the certified census there",
+            rest_angle(given), left, right)}});
 }
 
-Judgement only_stable(const Printed& printed, int) {
-  const Chain<Interval> chain = three_link_chain_at(Rational(-1, 60), Rational(-1, 60));
-  const Interval reach = unloaded_reach(chain);
-  const std::string small = types(held_at(chain, reach - Interval(Rational(1, 100)))),
-                    large = types(held_at(chain, reach - Interval(Rational(3, 10))));
-  const std::string found = large == "1 stable, 3 unstable" ? "the only stable" : "one of two stable";
-  const std::string observed = side(-1);
+Judgement only_stable(const Printed& printed, const Premises& given, int) {
+  const HeldChain chain = quasi_straight(given, 1);
+  const PlaneProof& plane = prove_in_plane(chain, 0, Rational(1, 20));
+  const Counts large(types(chain.at(Rational(3, 10))));
+  const std::string found = large.of("stable") == 1 ? "the only stable" : "one of two stable";
+  const std::string observed = side(given, 1);
   Judgement result{
       Verdict::confirmed,
       "",
       {{EvidenceKind::interval,
-        fmt::format("alpha_1 = alpha_2 = -pi/60: certified censuses at 0.01 L ({}) and 0.3 L ({}); "
-                    "the slowly compressed chain is {}",
-                    small, large, observed)}},
+        fmt::format(
+            "alpha_1 = alpha_2 = {}: {}{}; certified census at 0.3 L: {}; the slowly compressed chain "
+            "is {}",
+            rest_angle(given), plane.whole ? "" : "open, ", plane.text(), large.text(), observed)}},
       ""};
   if (printed.at(0) == observed && printed.at(1) == found) return result;
   result.verdict =
@@ -226,21 +241,22 @@ Judgement only_stable(const Printed& printed, int) {
 }
 
 /// The name of the chain with the rest angles (epsilon, epsilon): the paper gives it to the signs of both.
-Judgement quasi_straight_name(const Printed& printed, int) {
-  const auto name = [](int sign) {
+Judgement quasi_straight_name(const Printed& printed, const Premises& given, int) {
+  const auto name = [&](int sign) {
     proofs::CertifiedEquilibrium rest;
-    rest.q = three_link_chain_at(Rational(sign, 60), Rational(sign, 60)).rest();
+    rest.q = quasi_straight(given, sign).chain.rest();
     return letter(rest);
   };
-  const std::string negative = name(-1), positive = name(1),
+  const std::string negative = name(1), positive = name(-1),
                     found = fmt::format("{} for epsilon < 0, {} for epsilon > 0", negative, positive);
   const Verdict verdict = printed.at(0) == found                                   ? Verdict::confirmed
                           : printed.at(0) == negative || printed.at(0) == positive ? Verdict::convention
                                                                                    : Verdict::refuted;
   return {
       verdict,
-      verdict == Verdict::confirmed ? "" : "by the definition in 3.1 (U+ has negative angles) it is " + found,
-      {{EvidenceKind::interval, "signs of the rest angles (epsilon, epsilon), epsilon = -pi/60 and pi/60"}},
+      verdict == Verdict::confirmed ? "" : "by the definition in 3.1 (U⁺ has negative angles) it is " + found,
+      {{EvidenceKind::interval,
+        "signs of the rest angles (epsilon, epsilon), epsilon = " + rest_angle(given) + ", and turned"}},
       ""};
 }
 
@@ -307,12 +323,12 @@ Judgement beyond(const Printed& printed, int) {
 }
 
 /// Letters without their side, sorted: the shapes of the equilibria.
-Judgement equilibrium_shapes(const Printed& printed, int) {
+Judgement equilibrium_shapes(const Printed& printed, const Premises& given, int) {
   std::set<char> letters;
-  for (const auto& one : bent_equilibria()) letters.insert(letter(one).front());
+  for (const auto& one : bent_equilibria(given)) letters.insert(letter(one).front());
   const std::string found(letters.begin(), letters.end());
   return judge_word(printed.at(0), found, "the equilibria have the shapes " + found,
-                    {of_all_deflections("signs of both bends: " + found)});
+                    {of_straight_chain(given, "signs of both bends: " + found)});
 }
 
 }  // namespace

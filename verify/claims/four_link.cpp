@@ -5,16 +5,17 @@
 #include <fmt/ranges.h>
 
 #include <array>
+#include <map>
 #include <plumbline/straight/critical_force.hpp>
 #include <set>
 
-#include "proofs/exact/certified_modes.hpp"
 #include "proofs/exact/decimal.hpp"
 #include "proofs/exact/exact_chain.hpp"
 #include "proofs/exact/exactly.hpp"
+#include "verify/chains/loaded_chains.hpp"
+#include "verify/chains/post_buckling.hpp"
+#include "verify/chains/straight_modes.hpp"
 #include "verify/claims/claims.hpp"
-#include "verify/claims/post_buckling.hpp"
-#include "verify/claims/straight_chains.hpp"
 #include "verify/judging/comparison.hpp"
 #include "verify/judging/sign.hpp"
 #include "verify/paper/paper.hpp"
@@ -22,90 +23,44 @@
 namespace plumbline::verify {
 namespace {
 
-/// A mode whose every number is certified; (q, F_y) has norm 1 and q_1 > 0.
-struct CertifiedMode {
-  Interval force, lambda, factor, fy;
-  std::vector<Interval> q;
-};
+using GiNaC::ex;
 
-/// Around a certified decimal.
-Interval within_a_unit(const std::string& decimal, int digits) {
-  const Rational x = proofs::parse_decimal(decimal).value(), unit = proofs::unit_in_digit(x, digits);
-  return hull(Interval(x - unit), Interval(x + unit));
+Chain<Rational> unit_chain(const Premises& given) {
+  return given.exact_chain("unit-chain");
 }
 
-CertifiedMode certified_mode(const Chain<Interval>& chain, const proofs::ForceEnclosure& force,
-                             const proofs::ShapeEnclosure& shape) {
-  const Interval F = hull(Interval(force.low), Interval(force.high));
-  std::vector<Interval> q;
-  for (const std::string& angle : shape.q) q.push_back(within_a_unit(angle, shape.digits));
-  const Interval fy = lateral_force(chain, F, q);
-  Interval squares = sqr(fy);
-  for (const Interval& angle : q) squares += sqr(angle);
-  const Interval norm = certainly_negative(q[0]) ? -sqrt(squares) : sqrt(squares);
-  for (Interval& angle : q) angle /= norm;
-  return {F, Interval(-1) / F, energy_factor(chain, q), fy / norm, q};
-}
-
-/// The three modes of the unit chain, ascending in force; computed once.
-const std::vector<CertifiedMode>& modes() {
-  static const std::vector<CertifiedMode> instance = [] {
-    const proofs::CertifiedModes certified = proofs::certify(four_link_chain(), 3, 3, 60);
-    const Chain<Interval> chain = from_rational<Interval>(four_link_chain());
-    std::vector<CertifiedMode> result;
-    for (std::size_t m = 0; m < 3; ++m)
-      result.push_back(certified_mode(chain, certified.forces[m], certified.shapes[m]));
-    return result;
-  }();
-  return instance;
+/// The modes of the unit chain, ascending in force.
+const std::vector<CertifiedMode>& modes(const Premises& given) {
+  return certified_modes(unit_chain(given));
 }
 
 const std::string how =
     "counts of critical forces by exact recursion bound each F to 60 digits; lambda, q, F_y from it in "
     "intervals";
 
-std::string signs(const CertifiedMode& mode) {
+std::string signs_of_mode(const CertifiedMode& mode) {
   std::string pattern;
   for (const Interval& angle : mode.q) pattern += sign_character(angle);
   return pattern;
 }
 
 /// The mode (index from 0) that has the paper's shape name.
-std::size_t mode_of_shape(const std::string& shape) {
-  for (std::size_t m = 0; m < modes().size(); ++m) {
-    if (shape_name(signs(modes()[m])) == shape) return m;
+std::size_t mode_of_shape(const Premises& given, const std::string& shape) {
+  for (std::size_t m = 0; m < modes(given).size(); ++m) {
+    if (shape_name(signs_of_mode(modes(given)[m])) == shape) return m;
   }
   throw Error("claim", "the shape '" + shape + "'", "U, Z or ZU");
 }
 
-Judgement matrices(const Printed& printed, int) {
+Judgement polynomial(const Printed& printed, const Premises& given, int) {
   const proofs::Formulas none({});
+  const proofs::Polynomial chi = proofs::characteristic_polynomial(unit_chain(given));
   std::vector<GiNaC::ex> computed;
   std::vector<std::string> names;
-  const Matrix<Rational> S1 = matrix_S1(four_link_chain());
-  const Vector<Rational> S0 = matrix_S0(four_link_chain());
-  for (Eigen::Index i = 0; i < 4; ++i) {
-    for (Eigen::Index j = 0; j < 4; ++j) {
-      computed.push_back(none.parse(S1(i, j).str()));
-      names.push_back(fmt::format("S1({},{})", i + 1, j + 1));
-    }
-  }
-  for (Eigen::Index i = 0; i < 4; ++i) {
-    computed.push_back(none.parse(S0(i).str()));
-    names.push_back(fmt::format("S0({})", i + 1));
-  }
-  Judgement result = judge_formulas(none, printed, computed, names, "");
-  result.evidence = {{EvidenceKind::exact, "(28) with L_i = 1 in rationals"}};
-  return result;
-}
-
-Judgement polynomial(const Printed& printed, int) {
-  const proofs::Formulas none({});
-  const proofs::Polynomial chi = proofs::characteristic_polynomial(four_link_chain());
-  std::vector<GiNaC::ex> computed;
-  std::vector<std::string> names;
-  for (std::size_t i = 6; i-- > 0;) {
-    computed.push_back(none.parse(chi.at(i).str()));
+  ex factor = none.parse(printed.at(0));  // an equation may have any but zero
+  if (factor.is_zero()) factor = 1;
+  for (std::size_t i = chi.size(); i-- > 0;) {
+    computed.push_back(factor * none.parse(chi.at(i).str()));
     names.push_back(fmt::format("coefficient of lambda^{}", i));
   }
   Judgement result = judge_formulas(none, printed, computed, names, "");
@@ -114,25 +69,26 @@ Judgement polynomial(const Printed& printed, int) {
 }
 
 /// The eigenvalues in the paper's order: three of the modes and two zeros.
-Judgement listed(const Printed& printed) {
+Judgement listed(const Premises& given, const Printed& printed) {
   std::vector<Interval> computed;
   std::vector<std::string> names;
-  for (const CertifiedMode& mode : modes()) computed.push_back(mode.lambda);
+  for (const CertifiedMode& mode : modes(given)) computed.push_back(mode.lambda);
   computed.resize(
-      computed.size() + proofs::multiplicity_of_zero(proofs::characteristic_polynomial(four_link_chain())),
+      computed.size() + proofs::multiplicity_of_zero(proofs::characteristic_polynomial(unit_chain(given))),
       Interval(0));
   for (std::size_t i = 1; i <= computed.size(); ++i) names.push_back(fmt::format("lambda_{}", i));
   return judge_decimals(printed, computed, names, how);
 }
 
 /// printed: how many roots are not zero, and the list of roots
-Judgement nonzero_roots(const Printed& printed, int) {
-  const proofs::Polynomial chi = proofs::characteristic_polynomial(four_link_chain());
+Judgement nonzero_roots(const Printed& printed, const Premises& given, int) {
+  const proofs::Polynomial chi = proofs::characteristic_polynomial(unit_chain(given));
   const std::size_t nonzero = proofs::distinct_negative_roots(chi) + proofs::distinct_positive_roots(chi);
   Printed list(printed.begin() + 1, printed.end());
   const bool without_zeros = list.size() == nonzero;
   if (without_zeros) list.insert(list.end(), proofs::multiplicity_of_zero(chi), "0");
-  const bool right = printed.at(0) == std::to_string(nonzero) && listed(list).verdict == Verdict::confirmed;
+  const bool right =
+      printed.at(0) == std::to_string(nonzero) && listed(given, list).verdict == Verdict::confirmed;
   return {!right          ? Verdict::refuted
           : without_zeros ? Verdict::confirmed
                           : Verdict::convention,
@@ -150,26 +106,10 @@ Judgement nonzero_roots(const Printed& printed, int) {
           ""};
 }
 
-Judgement all_eigenvalues(const Printed& printed, int digits) {
-  Judgement result = listed(printed);
+Judgement all_eigenvalues(const Printed& printed, const Premises& given, int digits) {
+  Judgement result = listed(given, printed);
   std::vector<std::string> values;
-  for (const CertifiedMode& mode : modes()) values.push_back(certified_decimal(mode.lambda, digits));
-  result.value = fmt::format("{}", fmt::join(values, "; "));
-  return result;
-}
-
-/// A row of Table 2: lambda and the five components of the unit eigenvector.
-Judgement table_2_row(const Printed& printed, int digits) {
-  const std::size_t m = std::stoul(printed.at(0)) - 1;
-  const CertifiedMode& mode = modes().at(m);
-  std::vector<Interval> computed{mode.lambda};
-  computed.insert(computed.end(), mode.q.begin(), mode.q.end());
-  computed.push_back(mode.fy);
-  Judgement result = judge_decimals({printed.begin() + 1, printed.end()}, computed,
-                                    {"lambda", "v_1", "v_2", "v_3", "v_4", "v_5"}, how);
-  std::vector<std::string> values;
-  values.reserve(computed.size());
-  for (const Interval& x : computed) values.push_back(certified_decimal(x, digits));
+  for (const CertifiedMode& mode : modes(given)) values.push_back(certified_decimal(mode.lambda, digits));
   result.value = fmt::format("{}", fmt::join(values, "; "));
   return result;
 }
@@ -184,7 +124,7 @@ Judgement norms(const Printed& printed, int) {
     const Printed& entries = printed_in_paper(row);
     Rational square = 0;
     Rational slack = 0;  // half a unit of the fourth place in each component
-    for (std::size_t i = 2; i < entries.size(); ++i) {
+    for (std::size_t i = 1; i < entries.size(); ++i) {
       const Rational x = proofs::parse_decimal(entries[i]).value();
       square += x * x;
       slack += (x < 0 ? Rational(-x) : x) / 10000;
@@ -208,11 +148,11 @@ const std::vector<std::string>& rows_of_table_3() {
 }
 
 /// printed: signs and shape, row by row
-Judgement patterns(const Printed& printed, int) {
+Judgement patterns(const Printed& printed, const Premises& given, int) {
   std::vector<std::string> found;
   for (const char first : {'-', '+'}) {
     for (const char* shape : {"U", "Z", "ZU"}) {
-      std::string pattern = signs(modes().at(mode_of_shape(shape)));
+      std::string pattern = signs_of_mode(modes(given).at(mode_of_shape(given, shape)));
       if (pattern.front() != first)
         for (char& c : pattern) c = c == '+' ? '-' : '+';
       found.push_back(pattern);
@@ -225,11 +165,11 @@ Judgement patterns(const Printed& printed, int) {
 }
 
 /// Stability of the small bent shapes under an imposed end point: mode m has m - 1 negative directions.
-Judgement stabilities(const Printed& printed, int) {
+Judgement stabilities(const Printed& printed, const Premises& given, int) {
   std::vector<std::string> found;
   for (const std::string& shape : rows_of_table_3()) {
     found.push_back(shape);
-    found.emplace_back(mode_of_shape(shape) == 0 ? "stable" : "unstable");
+    found.emplace_back(mode_of_shape(given, shape) == 0 ? "stable" : "unstable");
   }
   const std::string list = fmt::format("{}", fmt::join(found, " "));
   return judge_list(
@@ -242,14 +182,14 @@ Judgement stabilities(const Printed& printed, int) {
 }
 
 /// A column of Table 3, shape and number row by row.
-Judgement column_of_table_3(const Printed& printed, int digits, Interval CertifiedMode::*number,
-                            const std::string& symbol) {
+Judgement column_of_table_3(const Premises& given, const Printed& printed, int digits,
+                            Interval CertifiedMode::*number, const std::string& symbol) {
   std::vector<Interval> computed;
   std::vector<std::string> names, values;
   Printed shapes, decimals;
   for (std::size_t i = 0; i < printed.size(); ++i) (i % 2 == 0 ? shapes : decimals).push_back(printed[i]);
   for (const std::string& shape : rows_of_table_3()) {
-    computed.push_back(modes().at(mode_of_shape(shape)).*number);
+    computed.push_back(modes(given).at(mode_of_shape(given, shape)).*number);
     names.push_back(symbol + " of " + shape);
     values.push_back(certified_decimal(computed.back(), digits));
   }
@@ -263,59 +203,78 @@ Judgement column_of_table_3(const Printed& printed, int digits, Interval Certifi
   return result;
 }
 
-Judgement factors(const Printed& printed, int digits) {
-  return column_of_table_3(printed, digits, &CertifiedMode::factor, "mu^0");
+Judgement factors(const Printed& printed, const Premises& given, int digits) {
+  return column_of_table_3(given, printed, digits, &CertifiedMode::factor, "mu^0");
 }
 
 /// Where a force is wrong in its last places it may be the reciprocal of the rounded eigenvalue.
-Judgement forces(const Printed& printed, int digits) {
-  Judgement result = column_of_table_3(printed, digits, &CertifiedMode::force, "F_x");
+Judgement forces(const Printed& printed, const Premises& given, int digits) {
+  Judgement result = column_of_table_3(given, printed, digits, &CertifiedMode::force, "F_x");
   Printed corrected = printed;
   std::vector<std::string> reciprocals;
   for (std::size_t i = 1; i < corrected.size(); i += 2) {
-    const Interval lambda = modes().at(mode_of_shape(rows_of_table_3().at(i / 2))).lambda;
+    const Interval lambda = modes(given).at(mode_of_shape(given, rows_of_table_3().at(i / 2))).lambda;
     const Rational rounded =
         proofs::parse_decimal(proofs::to_fixed(proofs::exactly(lambda.middle()), 4)).value();
     if (corrected[i] != proofs::to_fixed(Rational(-1 / rounded), 4)) continue;
     const std::string right = proofs::to_fixed(
-        proofs::exactly(modes().at(mode_of_shape(rows_of_table_3().at(i / 2))).force.middle()), 4);
+        proofs::exactly(modes(given).at(mode_of_shape(given, rows_of_table_3().at(i / 2))).force.middle()),
+        4);
     if (right == corrected[i]) continue;
     reciprocals.push_back(fmt::format("{} is -1/({})", corrected[i], proofs::to_fixed(rounded, 4)));
     corrected[i] = right;
   }
   if (result.verdict == Verdict::refuted && !reciprocals.empty() &&
-      column_of_table_3(corrected, digits, &CertifiedMode::force, "F_x").verdict == Verdict::confirmed) {
-    result.verdict = Verdict::imprecise;
+      column_of_table_3(given, corrected, digits, &CertifiedMode::force, "F_x").verdict ==
+          Verdict::confirmed) {
     result.truth += fmt::format("; {}, the reciprocal of the rounded eigenvalue", reciprocals.front());
   }
   return result;
 }
 
-Judgement straight_below(const Printed& printed, int) {
+/// Whether bent shapes exist above their critical forces only: near the straight shape, by the initial slope
+/// of the force, and far from it, by a census.
+Judgement straight_below(const Printed& printed, const Premises& given, int) {
   std::vector<std::string> found;
   bool above = true;
-  const auto chain = from_rational<Interval>(four_link_chain());
-  for (const CertifiedMode& mode : modes()) {
+  const auto chain = given.chain("unit-chain");
+  for (const CertifiedMode& mode : modes(given)) {
     const Interval curvature = post_buckling_curvature(chain, {mode.force, mode.q, mode.fy});
     above = above && certainly_positive(curvature);
     found.push_back(certified_decimal(curvature, 6));
   }
-  return judge_word(
-      printed.at(0), above ? "below" : "above",
-      "near the straight shape each bent shape exists only above its critical force",
+  const Interval lowest = modes(given).front().force;
+  const Rational deep(335, 100);
+  std::string below;
+  for (const auto& one : held(given, "unit-chain").at(deep).equilibria) {
+    const Interval force = paper_force(one).x;
+    if (below.empty() && certainly_positive(force) && certainly_less(force, lowest) &&
+        one.negative_directions == std::size_t{0})
+      below = certified_decimal(force, 5);
+  }
+  const std::string word = !above ? "above" : below.empty() ? "below" : "below, near the straight shape";
+  Judgement result = judge_word(
+      printed.at(0), word,
+      fmt::format("so near the straight shape; a U-shape compressed by {} L is held by {} k/L, less than "
+                  "F_x^0 = {} k/L",
+                  proofs::to_exact(deep), below, certified_decimal(lowest, 5)),
       {Evidence::by_theorem("Stable below the lowest force",
                             "the straight chain is stable exactly there; and by "
                             "Supercritical the sign of F_2 decides on which side bent shapes exist"),
-       {EvidenceKind::interval, fmt::format("F = F_m + F_2 a^2 + … along theta = a phi, |v| = 1: F_2 = {}; "
-                                            "near the straight shape only",
-                                            fmt::join(found, ", "))}});
+       {EvidenceKind::interval,
+        fmt::format("F = F_m + F_2 a^2 + … along theta = a phi, |v| = 1: F_2 = {}", fmt::join(found, ", "))},
+       {EvidenceKind::interval, fmt::format("certified census at {} L: a stable shape that needs {} k/L",
+                                            proofs::to_exact(deep), below)}});
+  if (result.verdict == Verdict::refuted && word.starts_with(printed.at(0) + ","))
+    result.verdict = Verdict::imprecise;
+  return result;
 }
 
-Judgement stable_count(const Printed& printed, int) {
+Judgement stable_count(const Printed& printed, const Premises& given, int) {
   std::size_t lowest = 0;
-  for (const CertifiedMode& mode : modes()) {
+  for (const CertifiedMode& mode : modes(given)) {
     bool least = true;
-    for (const CertifiedMode& other : modes())
+    for (const CertifiedMode& other : modes(given))
       least = least && (&other == &mode || certainly_less(mode.force, other.force));
     lowest += least ? 2 : 0;  // a shape and its mirror image
   }
@@ -326,8 +285,8 @@ Judgement stable_count(const Printed& printed, int) {
                       "q and -q share one"}});
 }
 
-Judgement shapes_total(const Printed& printed, int) {
-  const std::size_t count = 2 * proofs::distinct_critical_forces(four_link_chain());
+Judgement shapes_total(const Printed& printed, const Premises& given, int) {
+  const std::size_t count = 2 * proofs::distinct_critical_forces(unit_chain(given));
   return judge_word(printed.at(0), std::to_string(count), fmt::format("{} shapes", count),
                     {{EvidenceKind::exact, "two for each distinct root of det(A F + B), n = 4"}});
 }
@@ -337,13 +296,9 @@ Judgement shapes_total(const Printed& printed, int) {
 Checks claims::four_link() {
   return {
       {"unit-norm", norms},
-      {"eq-40", matrices},
       {"four-link-polynomial", polynomial},
       {"four-link-roots", all_eigenvalues},
       {"three-nonzero-roots", nonzero_roots},
-      {"table-2-row-1", table_2_row},
-      {"table-2-row-2", table_2_row},
-      {"table-2-row-3", table_2_row},
       {"four-link-shapes", shapes_total},
       {"four-link-stable-shapes", stable_count},
       {"straight-below-critical", straight_below},

@@ -40,6 +40,16 @@ Matrix<Rational> scalar(const Rational& x) {
   return Matrix<Rational>::Constant(1, 1, x);
 }
 
+/// Whether a = c b for a number c other than zero: both are sides of one equation.
+bool multiple(const Matrix<Rational>& a, const Matrix<Rational>& b) {
+  if (a.rows() != b.rows() || a.cols() != b.cols()) return false;
+  for (Eigen::Index i = 0; i < b.size(); ++i) {
+    if (b(i) == 0 || a(i) == 0) continue;
+    return a * b(i) == b * a(i);
+  }
+  return false;
+}
+
 /// One chain, shape and force in numbers: L = (2, 3, 5, 7), k = (1, 4, 6, 9), q = (3, -1, 4, 1), F = (7/2,
 /// -5).
 struct Example {
@@ -49,7 +59,7 @@ struct Example {
 
 /// (22) at links of the directions (c, s) = (3/5, 4/5) and so on: the gradient of E + F_x x + F_y y by
 /// the joint angles, F positive in compression as in (6).
-Judgement equilibrium(const Printed& printed, int) {
+Judgement equilibrium_at_links(const Printed& printed, int) {
   const Example example;
   const std::vector<Rational> c{Rational(3, 5), Rational(12, 13), Rational(-8, 17), Rational(4, 5)},
       s{Rational(4, 5), Rational(-5, 13), Rational(15, 17), Rational(3, 5)};
@@ -81,7 +91,7 @@ Judgement equilibrium(const Printed& printed, int) {
   }
   const auto residual =
       evaluated(printed.at(0), {{"J", J}, {"M", column(torque)}, {"F", column({example.Fx, example.Fy})}});
-  const bool right = residual && *residual == column(gradient);
+  const bool right = residual && multiple(*residual, column(gradient));
   return {right ? Verdict::confirmed : Verdict::refuted,
           right ? "" : "M + J^T F = 0",
           {{EvidenceKind::exact,
@@ -145,9 +155,8 @@ const std::string how_linear =
 Judgement linear_equilibrium(const Printed& printed, int) {
   if (printed.size() != 3) throw Error("claim", fmt::format("{} terms", printed.size()), "3");
   const NamedMatrices model = linear_model();
-  const int sign = printed[0].starts_with('-') ? -1 : 1;
-  Matrix<Rational> expected = linear_sides().topRows(printed_n);
-  if (sign < 0) expected -= Rational(2) * model.at("K") * model.at("q");
+  const Matrix<Rational> expected = linear_sides().topRows(printed_n),
+                         turned = expected - Rational(2) * model.at("K") * model.at("q");
   Matrix<Rational> total = Matrix<Rational>::Zero(printed_n, 1);
   bool right = true;
   for (const std::string& term : printed) {
@@ -155,7 +164,8 @@ Judgement linear_equilibrium(const Printed& printed, int) {
     right = right && value && value->rows() == printed_n && value->cols() == 1;
     if (right) total += *value;
   }
-  right = right && total == expected;
+  const int sign = multiple(total, turned) ? -1 : 1;  // of K where S1 F_x stands with +
+  right = right && multiple(total, sign < 0 ? turned : expected);
   Signs signs = printed_signs();
   signs["(29)"] = sign;
   Judgement result = judge_place("(29)", signs);
@@ -166,8 +176,18 @@ Judgement linear_equilibrium(const Printed& printed, int) {
 
 /// (30): the first-order part of delta_y.
 Judgement constraint(const Printed& printed, int) {
-  const auto value = evaluated(printed.at(0), linear_model());
-  const bool right = value && *value == scalar(linear_sides()(printed_n, 0));
+  NamedMatrices model = linear_model();
+  const Matrix<Rational> S0 = model.at("S0");
+  Matrix<Rational> found(printed_n, 1);  // what the printed side makes of each joint alone
+  bool one = true;
+  for (Eigen::Index joint = 0; joint < printed_n; ++joint) {
+    model["q"] = Matrix<Rational>::Zero(printed_n, 1);
+    model["q"](joint, 0) = 1;
+    const auto value = evaluated(printed.at(0), model);
+    one = one && value && value->size() == 1;
+    found(joint, 0) = one ? (*value)(0, 0) : Rational(0);
+  }
+  const bool right = one && multiple(found, S0);
   return {right ? Verdict::confirmed : Verdict::refuted,
           right ? "" : "S0^T q = 0",
           {{EvidenceKind::exact, how_linear + "delta_y in (21)"}},
@@ -206,7 +226,7 @@ Judgement blocks(const Printed& printed, int) {
   Matrix<Rational> v(printed_n + 1, 1);
   v << *q, *Fy;
   const auto pencil = evaluated(printed[0], {{"A", *A}, {"B", *B}, {"Fx", model.at("Fx")}});
-  if (!pencil || pencil->cols() != v.rows() || Matrix<Rational>(*pencil * v) != linear_sides()) return wrong;
+  if (!pencil || pencil->cols() != v.rows() || !multiple(*pencil * v, linear_sides())) return wrong;
   Judgement right = wrong;
   right.verdict = Verdict::confirmed;
   right.truth = "";
@@ -217,7 +237,7 @@ Judgement blocks(const Printed& printed, int) {
 
 Checks claims::linear_equations() {
   return {
-      {"eq-22", equilibrium},
+      {"eq-22", equilibrium_at_links},
       {"eq-29", linear_equilibrium},
       {"eq-30", constraint},
       {"eq-31-33", blocks},

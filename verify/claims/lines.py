@@ -1,5 +1,5 @@
 """Where each claim is checked: the line at which the function begins that judges it, read from the list of checks
-that ends every file of this folder.
+that ends every file of this folder; and where each kind of check begins that a claim states (verify/generic).
 
 Usage: lines.py ROOT HEADER   (ROOT of the project; HEADER is written when it would change)
 """
@@ -9,6 +9,7 @@ import re
 import sys
 
 ENTRY = re.compile(r'\{"([\w.-]+)",\s*(?:\[\]\([^)]*\)\s*\{\s*return )?(\w+)')
+KIND = re.compile(r'\{"([a-z ]+)", "(\w+)", generic::(\w+)\}')
 FUNCTION = re.compile(r"^Judgement (\w+)\(", re.MULTILINE)
 
 
@@ -21,8 +22,19 @@ def lines_of(text, where):
         yield entry[1], functions[entry[2]]
 
 
+def kinds_of(text, root):
+    """Pairs (kind, file, line) of the list in verify/generic/generic.cpp."""
+    for name, stem, function in KIND.findall(text):
+        path = root / f"verify/generic/{stem}.cpp"
+        source = path.read_text(encoding="utf-8")
+        at = source.index(f"\nJudgement generic::{function}(") + 1
+        yield name, path.relative_to(root).as_posix(), source.count("\n", 0, at) + 1
+
+
 def main(root, header):
     rows = []
+    listed = (root / "verify/generic/generic.cpp").read_text(encoding="utf-8")
+    rows += [f'    {{"generic {name}", "{file}", {line}}},\n' for name, file, line in kinds_of(listed, root)]
     for path in sorted((root / "verify/claims").glob("*.cpp")):
         text = path.read_text(encoding="utf-8")
         where = path.relative_to(root).as_posix()

@@ -11,34 +11,19 @@
 #include "proofs/exact/decimal.hpp"
 #include "proofs/exact/exactly.hpp"
 #include "proofs/exact/symbolic_statics.hpp"
+#include "verify/chains/loaded_chains.hpp"
 #include "verify/claims/claims.hpp"
-#include "verify/claims/loaded_chains.hpp"
 #include "verify/judging/comparison.hpp"
 #include "verify/paper/paper.hpp"
 
 namespace plumbline::verify {
 namespace {
 
-/// The paper's chains of Table 1 with the end point at (3.8 - d, 0).
-proofs::Census at_deflection(const Chain<Interval>& chain, const Rational& deflection) {
-  return held_at(chain, table_1_reach() - Interval(deflection));
+HeldChain u_chain(const Premises& given) {
+  return held(given, "u-chain");
 }
-
-Judgement direct_kinematics(const Printed& printed, int) {
-  std::vector<std::string> names;
-  for (int i = 1; i <= 4; ++i) {
-    names.push_back(fmt::format("L{}", i));
-    names.push_back(fmt::format("q{}", i));
-  }
-  const proofs::Formulas formulas(names);
-  proofs::SymbolicShape shape;
-  for (int i = 1; i <= 4; ++i) {
-    shape.length.push_back(formulas.symbol(fmt::format("L{}", i)));
-    shape.stiffness.emplace_back(1);
-    shape.q.push_back(formulas.symbol(fmt::format("q{}", i)));
-  }
-  return judge_formulas(formulas, printed, {end_point(shape)(0, 0)}, {"x"},
-                        "direct kinematics of four links");
+HeldChain z_chain(const Premises& given) {
+  return held(given, "z-chain");
 }
 
 /// Joint angles that stay free when the end point is held: n less the rank of the Jacobian.
@@ -112,10 +97,11 @@ Judgement loaded_deflection(const Printed& printed, int) {
 
 /// Signs and angles of Table 1 against the shapes of a straight unit chain held at 3.8, to a unit of the last
 /// place.
-Judgement table1_origin(const Printed& printed, int) {
+Judgement table1_origin(const Printed& printed, const Premises& given, int) {
   if (printed.size() != 5) throw Error("claim", fmt::format("{} entries", printed.size()), "5");
-  const Chain<Interval> straight({1, 1, 1, 1}, {1, 1, 1, 1}, {0, 0, 0, 0});
-  const proofs::Census census = held_at(straight, table_1_reach());
+  const HeldChain straight = held(given, "unit-chain");
+  const Rational displacement = proofs::parse_decimal(printed_in_paper("initial-displacement").at(0)).value();
+  const proofs::Census& census = straight.at(displacement);
   const auto one = std::find_if(census.equilibria.begin(), census.equilibria.end(),
                                 [&](const auto& shape) { return signs(shape) == printed[0]; });
   std::vector<std::string> angles, other;
@@ -135,31 +121,29 @@ Judgement table1_origin(const Printed& printed, int) {
       right ? ""
             : "no shape of the straight chain has these signs and, to a unit of the last place, these angles",
       {{EvidenceKind::interval,
-        fmt::format("the straight unit chain held at (3.8, 0), certified census of {} shapes: {}; rounded to "
-                    "four places other than printed: {}",
-                    census.equilibria.size(), fmt::join(angles, ", "),
-                    other.empty() ? "none" : fmt::format("{}", fmt::join(other, ", ")))}},
+        fmt::format(
+            "the straight unit chain held {} L from its end, certified census of {} shapes: {}; rounded to "
+            "four places other than printed: {}",
+            proofs::to_exact(displacement), census.equilibria.size(), fmt::join(angles, ", "),
+            other.empty() ? "none" : fmt::format("{}", fmt::join(other, ", ")))}},
       ""};
 }
 
-Judgement surface(const Chain<Interval>& chain, const Printed& printed) {
-  const proofs::Census census = at_deflection(chain, Rational(2, 5));
-  const std::string found = extrema(census, 1);
+Judgement stable_signs(const HeldChain& chain, const Rational& d, const Printed& printed) {
+  const std::string found = signs(reached(chain.at(d), chain.compressed(far), d));
   return judge_word(
       printed.at(0), found,
-      fmt::format("on the sheet q_4 > 0 there are {}; {} equilibria in all", found, census.equilibria.size()),
+      fmt::format("the shape that the chain has at {} L has the signs {}", proofs::to_exact(d), found),
       {{EvidenceKind::interval,
-        fmt::format("certified census at the end point (3.4, 0), {} boxes", census.boxes)}});
+        fmt::format("certified census at {} L: the state of the slowly compressed chain, signs {}",
+                    proofs::to_exact(d), found)}});
 }
 
-Judgement stable_signs(const Chain<Interval>& chain, const SlowPath& path, const Printed& printed) {
-  const Rational d(2, 5);
-  const std::string found = signs(reached(at_deflection(chain, d), path, d));
-  return judge_word(
-      printed.at(0), found, "the shape that the chain has at 0.4 L has the signs " + found,
-      {{EvidenceKind::interval,
-        "certified census at the end point (3.4, 0): the state of the slowly compressed chain, signs " +
-            found}});
+Judgement u_signs(const Printed& printed, const Premises& given, int) {
+  return stable_signs(u_chain(given), given.exact("fig-11-deflection"), printed);
+}
+Judgement z_signs(const Printed& printed, const Premises& given, int) {
+  return stable_signs(z_chain(given), given.exact("fig-13-deflection"), printed);
 }
 
 /// A fold makes the forces jump though the energy surface moves continuously: continuity alone proves
@@ -168,7 +152,7 @@ Judgement continuity_proof(const Printed& printed, int) {
   const auto all = claims::loaded_three_link();
   const auto bent =
       std::find_if(all.begin(), all.end(), [](const auto& one) { return one.first == "bent-continuous"; });
-  const Judgement snap = bent->second({"can jump"}, 10);
+  const Judgement snap = bent->second({"can jump"}, {}, 10);
   const std::string found = snap.verdict == Verdict::confirmed ? "does not prove" : "proves";
   return {
       printed.at(0) == found ? Verdict::confirmed : Verdict::imprecise,
@@ -180,52 +164,36 @@ Judgement continuity_proof(const Printed& printed, int) {
       ""};
 }
 
-Judgement u_continuous(const Printed& printed, int) {
-  return judge_word(printed.at(0), u_path().continuity(), "stability is lost on the way",
-                    {u_path().evidence()});
-}
-
-Judgement u_resistance(const Printed& printed, int) {
-  return judge_word(printed.at(0), u_path().stiff() ? "increasing" : "not increasing",
-                    "the force falls somewhere", {u_path().evidence()});
-}
-
-Judgement u_stiffness(const Printed& printed, int) {
-  const bool falls = u_path().regular() && u_path().proved[0].softens;
-  return judge_word(printed.at(0), falls ? "decreasing" : "another",
-                    "the tangent stiffness does not fall all along", {u_path().evidence()});
-}
-
 /// The end of the branch on which two equilibria of the Z-chain are born as the compression grows.
-BranchEvent<proofs::Located> birth() {
-  const proofs::Census census = at_deflection(z_shaped_chain(), Rational(2, 5));
+BranchEvent<proofs::Located> birth(const HeldChain& chain, const Rational& d) {
+  const proofs::Census& census = chain.at(d);
   const auto saddle = std::find_if(census.equilibria.begin(), census.equilibria.end(),
                                    [](const auto& one) { return one.negative_directions == 1; });
-  if (saddle == census.equilibria.end()) throw Error("Fig. 13", "no saddle at 0.4 L", "one");
-  const Branch<double> branch = branch_through(z_shaped_chain(), table_1_reach(), *saddle, 0.4, -1, {0, 0.5});
-  for (auto& event : proofs::locate_events(z_path().chain, z_path().loading, branch)) {
+  if (saddle == census.equilibria.end()) throw Error("Fig. 13", "no saddle at " + d.str() + " L", "one");
+  const Branch<double> branch = branch_through(chain, *saddle, from_rational<double>(d), -1, {0, 0.5});
+  const SlowPath& path = chain.compressed(far);
+  for (auto& event : proofs::locate_events(path.chain, path.loading, branch)) {
     if (event.kind == EventKind::fold) return event;
   }
   throw Error("Fig. 13", "no fold on the saddle's branch", "one");
 }
 
 /// On the sheet q_4 > 0 that the figures show.
-Judgement singular_surface(const Printed& printed, int digits) {
-  const BranchEvent<proofs::Located> fold = birth();
+Judgement singular_surface(const Printed& printed, const Premises& given, int digits) {
+  const HeldChain chain = z_chain(given), u_shaped = u_chain(given);
+  const BranchEvent<proofs::Located> fold = birth(chain, given.exact("fig-13-deflection"));
   const Interval at(fold.point.load, fold.point.load), off(Rational(1, 100000));
-  const std::string before = extrema(held_at(z_shaped_chain(), table_1_reach() - at + off), 1),
-                    after = extrema(held_at(z_shaped_chain(), table_1_reach() - at - off), 1);
-  const proofs::Census early = at_deflection(u_shaped_chain(), Rational(1, 20)),
-                       middle = at_deflection(u_shaped_chain(), Rational(7, 10)),
-                       late = at_deflection(u_shaped_chain(), Rational(7, 5));
+  const std::string before = extrema(chain.at(at - off), 1), after = extrema(chain.at(at + off), 1);
+  const proofs::Census &early = u_shaped.at(Rational(1, 20)), &middle = u_shaped.at(Rational(7, 10)),
+                       &late = u_shaped.at(Rational(7, 5));
   const std::string u = extrema(early, 1);
   const bool regular = extrema(middle, 1) == u && extrema(late, 1) == u;
   const std::string z_word = before != after ? "singular" : "regular",
                     u_word = regular ? "regular" : "singular";
-  const BranchPoint<proofs::Located> followed = z_path().at(proofs::exactly(fold.point.load));
+  const BranchPoint<proofs::Located> followed = chain.compressed(far).at(proofs::exactly(fold.point.load));
   const proofs::Located distance = (followed.theta - fold.point.theta).cwiseAbs().maxCoeff();
-  Judgement result = judge_list(
-      printed, {"Z", z_word, "U", u_word}, fmt::format("Z {}, U {}", z_word, u_word),
+  Judgement result = judge_rows(
+      printed, {"Z", z_word, "U", u_word}, 2, fmt::format("Z {}, U {}", z_word, u_word),
       {{EvidenceKind::interval,
         fmt::format(
             "certified censuses, q_4 > 0: the Z-chain 1e-5 L before ({}) and after ({}) the value; the "
@@ -242,34 +210,43 @@ Judgement singular_surface(const Printed& printed, int digits) {
 }
 
 /// The forces that hold the end point on its line.
-Judgement forces_needed(const SlowPath& path, const Printed& printed, int digits) {
+Judgement forces_needed(const HeldChain& chain, const Rational& at, const Printed& printed, int digits) {
+  const SlowPath& path = chain.compressed(far);
   const Rational from(1, 100), to(3, 2);
   const bool along = path.everywhere(from, to, [](const auto&one) { return !one.fx.contains_zero(); }),
              across = path.everywhere(from, to, [](const auto&one) { return !one.fy.contains_zero(); });
   std::vector<std::string> lateral;
   for (const auto& one : states(path, {Rational(1, 10), Rational(2, 5), Rational(4, 5)}))
-    lateral.push_back(certified_decimal(one.fy, 5));
+    lateral.push_back(certified_decimal(paper_force(one).y, 5));
   std::vector<std::string> found;
   if (along) found.emplace_back("Fx");
   if (across) found.emplace_back("Fy");
-  Judgement result = judge_list(
-      printed, found, fmt::format("{}", fmt::join(found, ", ")),
+  Judgement result = judge_rows(
+      printed, found, 1, fmt::format("{}", fmt::join(found, ", ")),
       {{EvidenceKind::interval,
         fmt::format("proved branch from 0.01 to 1.5 L, in enclosures of all its states: not zero are {}",
                     fmt::join(found, ", "))},
        {EvidenceKind::interval,
-        fmt::format("certified censuses at 0.1, 0.4 and 0.8 L, the slowly compressed chain: F_y = {} k/L",
-                    fmt::join(lateral, ", "))}});
-  result.value =
-      certified_decimal(states(path, {Rational(2, 5)})[0].fy, std::min(digits, 30)) + " k/L at 0.4 L";
+        fmt::format(
+            "certified censuses at 0.1, 0.4 and 0.8 L, the slowly compressed chain: F_y of (6) = {} k/L",
+            fmt::join(lateral, ", "))}});
+  result.value = fmt::format("{} k/L at {} L",
+                             certified_decimal(paper_force(states(path, {at})[0]).y, std::min(digits, 30)),
+                             proofs::to_exact(at));
   return result;
+}
+
+Judgement u_forces(const Printed& printed, const Premises& given, int digits) {
+  return forces_needed(u_chain(given), given.exact("fig-11-deflection"), printed, digits);
+}
+Judgement z_forces(const Printed& printed, const Premises& given, int digits) {
+  return forces_needed(z_chain(given), given.exact("fig-13-deflection"), printed, digits);
 }
 
 }  // namespace
 
 Checks claims::loaded_four_link() {
   return {
-      {"eq-11", direct_kinematics},
       {"redundancy", freedom},
       {"table-1-u", table1_place},
       {"table-1-z", table1_place},
@@ -277,21 +254,11 @@ Checks claims::loaded_four_link() {
       {"table-1-z-shape", table1_origin},
       {"initial-displacement", initial_displacement},
       {"eq-11-12", loaded_deflection},
-      {"eq-12", direct_kinematics},
-      {"fig-11-count", [](const Printed& printed, int) { return surface(u_shaped_chain(), printed); }},
-      {"fig-11-shape",
-       [](const Printed& printed, int) { return stable_signs(u_shaped_chain(), u_path(), printed); }},
+      {"fig-11-shape", u_signs},
       {"fig-11-continuity", continuity_proof},
-      {"fig-12-continuous", u_continuous},
-      {"fig-12-resistance", u_resistance},
-      {"fig-12-stiffness", u_stiffness},
-      {"fig-12-lateral",
-       [](const Printed& printed, int digits) { return forces_needed(u_path(), printed, digits); }},
-      {"fig-14-lateral",
-       [](const Printed& printed, int digits) { return forces_needed(z_path(), printed, digits); }},
-      {"fig-13-count", [](const Printed& printed, int) { return surface(z_shaped_chain(), printed); }},
-      {"fig-13-shape",
-       [](const Printed& printed, int) { return stable_signs(z_shaped_chain(), z_path(), printed); }},
+      {"fig-12-lateral", u_forces},
+      {"fig-14-lateral", z_forces},
+      {"fig-13-shape", z_signs},
       {"fig-13-singularities", singular_surface},
   };
 }

@@ -10,17 +10,24 @@
 
 #include "proofs/census/census.hpp"
 #include "proofs/exact/symbolic_statics.hpp"
+#include "verify/chains/loaded_chains.hpp"
+#include "verify/chains/post_buckling.hpp"
+#include "verify/chains/three_link_plane.hpp"
 #include "verify/claims/claims.hpp"
-#include "verify/claims/loaded_chains.hpp"
-#include "verify/claims/post_buckling.hpp"
-#include "verify/claims/three_link_plane.hpp"
 #include "verify/judging/comparison.hpp"
 
 namespace plumbline::verify {
 namespace {
 
-proofs::Census at_deflection(const Rational& deflection) {
-  return held_at(fig7_chain(), unloaded_reach(fig7_chain()) - Interval(deflection));
+HeldChain fig7_chain(const Premises& given) {
+  return held(given, "fig-7-chain");
+}
+const SlowPath& fig7_path(const Premises& given) {
+  return fig7_chain(given).compressed(far);
+}
+/// As far as all equilibria can be followed at once.
+const PlaneProof& fig7_plane(const Premises& given) {
+  return prove_in_plane(fig7_chain(given), 0, Rational(1135, 1000));
 }
 
 /// Imprecise where another word is printed, true but for exceptions, which `truth` names.
@@ -58,25 +65,18 @@ Judgement singular(const Printed& printed, int) {
 }
 
 /// Four links, symmetric at rest: the end point lies on the x axis. They snap.
-Chain<Interval> snapping_chain() {
+HeldChain snapping_chain() {
   const Interval angle(Rational(3, 5));
-  return Chain<Interval>({1, 1, 1, 1}, {5, 5, 5, 6}, {angle, Interval(-2) * angle, angle, 0});
-}
-
-const SlowPath& snapping_path() {
-  static const SlowPath instance = compress_slowly(snapping_chain(), unloaded_reach(snapping_chain()), 1.5);
-  return instance;
+  return held(Chain<Interval>({1, 1, 1, 1}, {5, 5, 5, 6}, {angle, Interval(-2) * angle, angle, 0}));
 }
 
 Judgement always_continuous(const Printed& printed, int digits) {
-  const Chain<Interval> chain = snapping_chain();
-  const Interval reach = unloaded_reach(chain);
-  const SlowPath& path = snapping_path();
+  const HeldChain chain = snapping_chain();
+  const SlowPath& path = chain.compressed(far);
   const auto folds = path.of_kind(EventKind::fold);
   if (folds.size() != 1) throw Error("snapping chain", std::to_string(folds.size()) + " folds", "one");
   const Rational before(1140, 1000), after(1145, 1000);
-  const proofs::Census here = held_at(chain, reach - Interval(before)),
-                       there = held_at(chain, reach - Interval(after));
+  const proofs::Census &here = chain.at(before), &there = chain.at(after);
   // the equilibrium that the chain follows before the fold has none near it after it
   const proofs::CertifiedEquilibrium last = reached(here, path, before);
   Interval nearest(10);
@@ -107,10 +107,11 @@ Judgement always_continuous(const Printed& printed, int digits) {
   return result;
 }
 
-Judgement stiffness_amplitude(const Printed& printed, int) {
-  const proofs::Located first = fig7_path().at(0).stiffness, last = fig7_path().at(Rational(1, 2)).stiffness;
+Judgement stiffness_amplitude(const Printed& printed, const Premises& given, int) {
+  const proofs::Located first = fig7_path(given).at(0).stiffness,
+                        last = fig7_path(given).at(Rational(1, 2)).stiffness;
   const std::vector<Interval> means =
-      mean_stiffnesses(fig7_path(), {Rational(1, 50), Rational(1, 10), Rational(3, 5)});
+      mean_stiffnesses(fig7_path(given), {Rational(1, 50), Rational(1, 10), Rational(3, 5)});
   const bool depends = certainly_less(means[1] * Interval(Rational(101, 100)), means[0]);
   return judge_word(
       printed.at(0), depends ? "depends" : "constant", "the stiffness does not change by a percent",
@@ -179,31 +180,31 @@ Judgement unknowns(const Printed& printed, int) {
 
 /// The equilibria at 0.1 L, which stand for all deflections up to 1.135 L where the proof in the plane is
 /// whole.
-const proofs::Census& census_of_all() {
-  static const proofs::Census census = at_deflection(Rational(1, 10));
-  if (!fig7_plane().whole) throw Error("chain of Fig. 7", "an open range of deflections", "a proof");
-  return census;
+const proofs::Census& census_of_all(const Premises& given) {
+  if (!fig7_plane(given).whole) throw Error("chain of Fig. 7", "an open range of deflections", "a proof");
+  return fig7_chain(given).at(Rational(1, 10));
 }
 
-Evidence of_all_deflections(const std::string& census) {
+Evidence of_fig7_chain(const Premises& given, const std::string& census) {
   return {EvidenceKind::interval,
-          "chain of Fig. 7, " + fig7_plane().text() + "; certified census at 0.1 L: " + census};
+          "chain of Fig. 7, " + fig7_plane(given).text() + "; certified census at 0.1 L: " + census};
 }
 
 /// How many equilibria there are, no joint wound up: of one kind up to 1.135 L, more beyond.
-Judgement count(const Printed& printed, int) {
-  const std::string found = census_of_all().balanced ? types(census_of_all()) : "out of balance";
-  const proofs::Census later = at_deflection(Rational(1140, 1000)),
-                       last = at_deflection(Rational(1200, 1000));
+Judgement count(const Printed& printed, const Premises& given, int) {
+  const std::string found = types(census_of_all(given));
+  const proofs::Census &later = fig7_chain(given).at(Rational(1140, 1000)),
+                       &last = fig7_chain(given).at(Rational(1200, 1000));
   const std::string truth =
       fmt::format("{} up to 1.135 L; {} at 1.14 L, {} at 1.2 L", found, types(later), types(last));
-  const bool always = found == types(later) && found == types(last);
+  const bool right = census_of_all(given).balanced && Counts(printed.at(0)) == Counts(found),
+             always = found == types(later) && found == types(last);
   return {
-      printed.at(0) != found ? Verdict::refuted
-      : always               ? Verdict::confirmed
-                             : Verdict::imprecise,
-      printed.at(0) == found && always ? "" : truth,
-      {of_all_deflections(found),
+      !right   ? Verdict::refuted
+      : always ? Verdict::confirmed
+               : Verdict::imprecise,
+      right && always ? "" : truth,
+      {of_fig7_chain(given, found),
        {EvidenceKind::interval,
         fmt::format(
             "certified censuses of every shape with joint angles within half a turn, each with as many "
@@ -218,37 +219,38 @@ std::string sorted_list(std::vector<std::string> words) {
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
-Judgement letters(const Printed& printed, int) {
+Judgement letters(const Printed& printed, const Premises& given, int) {
   std::vector<std::string> found;
-  for (const auto& one : census_of_all().equilibria)
+  for (const auto& one : census_of_all(given).equilibria)
     found.push_back(letter(one) + (one.negative_directions == 0 ? " stable" : " unstable"));
   const std::string list = sorted_list(found);
-  return judge_word(sorted_list(printed), list, "the equilibria are " + list, {of_all_deflections(list)});
+  return judge_word(sorted_list(printed), list, "the equilibria are " + list, {of_fig7_chain(given, list)});
 }
 
 /// Which shapes are feasible, as section 2 has the word: stable.
-Judgement feasible(const Printed& printed, int) {
+Judgement feasible(const Printed& printed, const Premises& given, int) {
   std::vector<std::string> found;
-  for (const auto& one : census_of_all().equilibria) {
+  for (const auto& one : census_of_all(given).equilibria) {
     if (one.negative_directions == 0) found.push_back(letter(one));
   }
   const std::string list = sorted_list(found);
   return judge_word(sorted_list(printed), list,
                     "feasible, which section 2 says of the stable ones, are " + list,
-                    {of_all_deflections("stable are " + list)});
+                    {of_fig7_chain(given, "stable are " + list)});
 }
 
 /// How many equilibria of the chain of Fig. 7 have the least energy.
-Judgement global_minimum(const Printed& printed, int) {
-  // of both negative joint angles, U+, there is one: census_of_all
-  const bool alone = census_of_all().equilibria.size() == 4 && fig7_plane().least("--", &PlanePiece::energy);
+Judgement global_minimum(const Printed& printed, const Premises& given, int) {
+  // of both negative joint angles, U⁺, there is one: census_of_all
+  const bool alone =
+      census_of_all(given).equilibria.size() == 4 && fig7_plane(given).least("--", &PlanePiece::energy);
   const std::string found = alone ? "1" : "several";
   const Rational d(1140, 1000);
-  const proofs::Census census = held_at(snapping_chain(), unloaded_reach(snapping_chain()) - Interval(d));
-  const proofs::CertifiedEquilibrium here = reached(census, snapping_path(), d);
+  const proofs::Census& census = snapping_chain().at(d);
+  const proofs::CertifiedEquilibrium here = reached(census, snapping_chain().compressed(far), d);
   return judge_word(
       printed.at(0), found, found + " equilibria have the least energy",
-      {of_all_deflections("one U+; its energy is below that of every other box at the same deflection"),
+      {of_fig7_chain(given, "one U⁺; its energy is below that of every other box at the same deflection"),
        {EvidenceKind::interval, fmt::format("a chain is not always there: four links, k = (5, 5, 5, 6), rest "
                                             "angles (0.6, -1.2, 0.6, 0), slowly "
                                             "compressed to 1.14 L, have E = {} k, the lowest minimum {} k",
@@ -257,16 +259,16 @@ Judgement global_minimum(const Printed& printed, int) {
 }
 
 /// The shape of the chain of Fig. 7 at rest.
-Judgement rest_shape(const Printed& printed, int) {
+Judgement rest_shape(const Printed& printed, const Premises& given, int) {
   proofs::CertifiedEquilibrium rest;
-  rest.q = fig7_chain().rest();
+  rest.q = given.chain("fig-7-chain").rest();
   const std::string found = letter(rest), stated = printed.at(0);
-  const bool hyphen = stated == found.substr(0, 1) + "-";  // the stroke of "U-configuration"
+  const bool hyphen = stated == found.substr(0, 1) + "⁻";  // the stroke of "U-configuration"
   return {stated == found ? Verdict::confirmed
           : hyphen        ? Verdict::convention
                           : Verdict::refuted,
           stated == found ? "" : "the chain of Fig. 7 is " + found + ", as the text before it says",
-          {{EvidenceKind::interval, "signs of the rest angles -pi/4 and -pi/3"}},
+          {{EvidenceKind::interval, "signs of the rest angles: " + signs(rest, 1)}},
           ""};
 }
 
@@ -285,33 +287,30 @@ Judgement straight_jump(const Printed& printed, int) {
        {EvidenceKind::exact, fmt::format("F_2 of the U-shape = {} k/L", curvature.str())}});
 }
 
-Judgement least_force(const Printed& printed, int) {
-  const bool least =
-      fig7_plane().least("--", &PlanePiece::energy) && fig7_plane().least("--", &PlanePiece::compression);
+Judgement least_force(const Printed& printed, const Premises& given, int) {
+  const bool least = fig7_plane(given).least("--", &PlanePiece::energy) &&
+                     fig7_plane(given).least("--", &PlanePiece::compression);
   return judge_word(
       printed.at(0), least ? "minimum" : "another",
       "the shape of least energy has the least compression among those that are compressed",
-      {of_all_deflections("one U+; its energy and its compression are below those of every other box at "
-                          "the same deflection")});
+      {of_fig7_chain(given,
+                     "one U⁺; its energy and its compression are below those of every other box at "
+                     "the same deflection")});
 }
 
-Judgement observed(const Printed& printed, int) {
+Judgement observed(const Printed& printed, const Premises& given, int) {
   const Rational d(1, 10);
-  const std::string shape = letter(reached(census_of_all(), fig7_path(), d));
-  const bool lowest = shape == "U+" && fig7_plane().least("--", &PlanePiece::energy);
+  const std::string shape = letter(reached(census_of_all(given), fig7_path(given), d));
+  const bool lowest = shape == "U⁺" && fig7_plane(given).least("--", &PlanePiece::energy);
   const std::string found = lowest ? "global" : "local";
-  const bool right = printed.at(0) == shape && printed.at(1) == found && fig7_path().regular();
-  return {right ? Verdict::confirmed : Verdict::refuted,
-          right ? "" : fmt::format("the shape that is reached is {}, a {} minimum", shape, found),
-          {fig7_path().evidence(),
-           of_all_deflections("the slowly compressed chain is " + shape +
-                              ", whose energy is below that of every other box at the same deflection")},
-          ""};
-}
-
-Judgement continuous(const Printed& printed, int) {
-  return judge_word(printed.at(0), fig7_path().continuity(), "stability is lost on the way",
-                    {fig7_path().evidence()});
+  const bool right = printed.at(0) == shape && printed.at(1) == found && fig7_path(given).regular();
+  return {
+      right ? Verdict::confirmed : Verdict::refuted,
+      right ? "" : fmt::format("the shape that is reached is {}, a {} minimum", shape, found),
+      {fig7_path(given).evidence(),
+       of_fig7_chain(given, "the slowly compressed chain is " + shape +
+                                ", whose energy is below that of every other box at the same deflection")},
+      ""};
 }
 
 }  // namespace
@@ -329,7 +328,6 @@ Checks claims::loaded_three_link() {
       {"fig-7-shapes", letters},
       {"fig-7-force", least_force},
       {"fig-7-observed", observed},
-      {"fig-7-continuous", continuous},
       {"fig-7-rest", rest_shape},
       {"straight-jump", straight_jump},
   };

@@ -10,19 +10,24 @@
 
 #include "proofs/census/census.hpp"
 #include "proofs/exact/exactly.hpp"
+#include "verify/chains/loaded_chains.hpp"
 #include "verify/claims/claims.hpp"
-#include "verify/claims/loaded_chains.hpp"
 #include "verify/judging/comparison.hpp"
+#include "verify/judging/formula_value.hpp"
 
 namespace plumbline::verify {
 namespace {
 
+const SlowPath& z_path(const Premises& given) {
+  return held(given, "z-chain").compressed(far);
+}
+
 /// A sharp knee: the stiffness falls to a tenth within a tenth of L.
-Judgement z_smooth(const Printed& printed, int) {
-  const bool smooth = z_path().regular();
+Judgement z_smooth(const Printed& printed, const Premises& given, int) {
+  const bool smooth = z_path(given).regular();
   const std::vector<Interval> slopes = mean_stiffnesses(
-      z_path(), {Rational(11, 100), Rational(12, 100), Rational(21, 100), Rational(22, 100)});
-  const bool knee = certainly_less(Interval(10) * slopes[2], slopes[0]);
+      z_path(given), {Rational(11, 100), Rational(12, 100), Rational(21, 100), Rational(22, 100)});
+  const bool knee = certainly_less(given.value("knee") * slopes[2], slopes[0]);
   return judge_word(
       printed.at(0),
       !smooth ? "not smooth"
@@ -34,16 +39,16 @@ Judgement z_smooth(const Printed& printed, int) {
                     "and 0.22 L: a "
                     "knee, without a kink or a jump",
                     certified_decimal(slopes[0], 5), certified_decimal(slopes[2], 5))},
-       z_path().evidence(),
+       z_path(given).evidence(),
        {EvidenceKind::interval,
         "along the proved branch the Hessian on the tangent space is definite, so by the implicit function "
         "theorem shape and force are analytic in the deflection"}});
 }
 
-Judgement z_soft(const Printed& printed, int) {
+Judgement z_soft(const Printed& printed, const Premises& given, int) {
   const std::vector<Interval> slopes =
-      mean_stiffnesses(z_path(), {Rational(1, 100), Rational(1, 50), Rational(1, 2), Rational(7, 10)});
-  const bool low = certainly_less(Interval(20) * slopes[2], slopes[0]);
+      mean_stiffnesses(z_path(given), {Rational(1, 100), Rational(1, 50), Rational(1, 2), Rational(7, 10)});
+  const bool low = certainly_less(given.value("very-low") * slopes[2], slopes[0]);
   return judge_word(
       printed.at(0), low ? "very low" : "not low", "the stiffness does not become low",
       {{EvidenceKind::interval,
@@ -53,23 +58,24 @@ Judgement z_soft(const Printed& printed, int) {
 }
 
 /// Whether the path has two parts, one steep and one flat.
-Judgement z_two_parts(const Printed& printed, int) {
+Judgement z_two_parts(const Printed& printed, const Premises& given, int) {
   const std::vector<Interval> slopes =
-      mean_stiffnesses(z_path(), {Rational(1, 100), Rational(3, 20), Rational(1, 5), Rational(3, 2)});
-  const bool two = z_path().stiff() && certainly_less(Interval(10) * slopes[2], slopes[0]);
+      mean_stiffnesses(z_path(given), {Rational(1, 100), Rational(3, 20), Rational(1, 5), Rational(3, 2)});
+  const bool two = z_path(given).stiff() && certainly_less(given.value("very-slowly") * slopes[2], slopes[0]);
   return judge_word(
       printed.at(0), two ? "fast, then very slow" : "even", "the force grows evenly",
       {{EvidenceKind::interval, fmt::format("certified censuses at 0.01, 0.15, 0.2 and 1.5 L: mean stiffness "
                                             "between them {}, {} and {} k/L^2",
                                             certified_decimal(slopes[0], 4), certified_decimal(slopes[1], 4),
                                             certified_decimal(slopes[2], 4))},
-       z_path().evidence()});
+       z_path(given).evidence()});
 }
 
 /// How fast the links of the Z-chain turn where it softens and beyond, against the beginning.
-Judgement fast(const Printed& printed, int) {
-  const std::vector<proofs::CertifiedEquilibrium> at = states(
-      z_path(), {Rational(1, 20), Rational(1, 10), Rational(17, 100), Rational(19, 100), Rational(2, 5)});
+Judgement fast(const Printed& printed, const Premises& given, int) {
+  const std::vector<proofs::CertifiedEquilibrium> at =
+      states(z_path(given),
+             {Rational(1, 20), Rational(1, 10), Rational(17, 100), Rational(19, 100), Rational(2, 5)});
   const auto turn = [&](std::size_t i) {
     Interval square(0), theta(0);
     for (std::size_t j = 0; j < at[i].q.size(); ++j) {
@@ -81,9 +87,10 @@ Judgement fast(const Printed& printed, int) {
   const auto force = [&](std::size_t i) { return at[i].fx - at[i + 1].fx; };
   const Interval slow = turn(0) / Interval(Rational(1, 20)), quick = turn(2) / Interval(Rational(1, 50)),
                  slow_by_force = turn(0) / force(0), quick_by_force = turn(3) / force(3);
-  const bool faster = certainly_less(Interval(2) * slow, quick) &&
-                      certainly_less(Interval(10) * slow_by_force, quick_by_force);
-  const std::string found = !z_path().regular() ? "instant" : faster ? "fast, not instant" : "slow";
+  const Printed& factors = given.at("very-fast").parts.at("value");
+  const bool faster = certainly_less(number(factors.at(0)) * slow, quick) &&
+                      certainly_less(number(factors.at(1)) * slow_by_force, quick_by_force);
+  const std::string found = !z_path(given).regular() ? "instant" : faster ? "fast, not instant" : "slow";
   return judge_word(printed.at(0), found, "the shape does not change faster, or it jumps",
                     {{EvidenceKind::interval,
                       fmt::format("certified censuses at 0.05, 0.1, 0.17, 0.19 and 0.4 L: the links turn by "
@@ -93,12 +100,12 @@ Judgement fast(const Printed& printed, int) {
                                   "0.19 to 0.4 L",
                                   certified_decimal(slow, 4), certified_decimal(quick, 4),
                                   certified_decimal(slow_by_force, 4), certified_decimal(quick_by_force, 4))},
-                     z_path().evidence()});
+                     z_path(given).evidence()});
 }
 
 /// The variable by which the compression F_x has a positive derivative.
-Judgement stiffness_variable(const Printed& printed, int) {
-  const std::string positive = z_path().stiff() ? "delta_x" : "x",
+Judgement stiffness_variable(const Printed& printed, const Premises& given, int) {
+  const std::string positive = z_path(given).stiff() ? "delta_x" : "x",
                     negative = positive == "x" ? "delta_x" : "x";
   return {printed.at(0) == positive   ? Verdict::confirmed
           : printed.at(0) == negative ? Verdict::convention
@@ -108,24 +115,26 @@ Judgement stiffness_variable(const Printed& printed, int) {
               : "x = const - delta_x by (12): with F_x positive in compression, as in Fig. 14, the stiffness "
                 "coefficient is d F_x / d " +
                     positive + "; d F_x / d " + negative + " is negative",
-          {z_path().evidence()},
+          {z_path(given).evidence()},
           ""};
 }
 
 /// The signs of the joint angles for small deflections, and where the first of them changes.
-Judgement z_keeps(const Printed& printed, int digits) {
-  const std::vector<proofs::CertifiedEquilibrium> ends = states(z_path(), {Rational(7, 10), Rational(3, 2)});
+Judgement z_keeps(const Printed& printed, const Premises& given, int digits) {
+  const std::vector<proofs::CertifiedEquilibrium> ends =
+      states(z_path(given), {Rational(7, 10), Rational(3, 2)});
   const std::string found = signs(ends[0]), last = signs(ends[1]);
   std::string leaves = "not up to 1.5 L", value;
   Rational until(3, 2);
   for (std::size_t joint = 0; joint < found.size() && joint < last.size(); ++joint) {
     if (found[joint] == last[joint]) continue;
-    const proofs::Located at = straightens_at(z_path(), joint, Rational(7, 10), Rational(3, 2));
+    const proofs::Located at = straightens_at(z_path(given), joint, Rational(7, 10), Rational(3, 2));
     leaves = fmt::format("at {} L, where joint {} straightens", at.str(6), joint + 1);
     value = located(at, digits);
     until = proofs::exactly(at) - Rational(1, 1000);
   }
-  const bool always = z_path().everywhere(0, until, [&](const auto& one) { return signs(one) == found; });
+  const bool always =
+      z_path(given).everywhere(0, until, [&](const auto& one) { return signs(one) == found; });
   Judgement result = judge_word(
       printed.at(0), always ? found : "changing", "the signs of the joint angles are " + found,
       {{EvidenceKind::interval,
@@ -168,9 +177,10 @@ bool unstable_under_force(const Chain<Interval>& chain, const proofs::CertifiedE
 }
 
 /// Whether the stable shapes of a held end point are also stable under the force that holds it.
-Judgement under_force(const Printed& printed, int) {
+Judgement under_force(const Printed& printed, const Premises& given, int) {
   std::vector<std::string> unstable;
-  for (const auto& [name, path] : {std::pair{"U", &u_path()}, {"Z", &z_path()}}) {
+  const SlowPath& u_path = held(given, "u-chain").compressed(far);
+  for (const auto& [name, path] : {std::pair{"U", &u_path}, {"Z", &z_path(given)}}) {
     const std::vector<Rational> deflections{Rational(1, 10), Rational(2, 5), Rational(6, 5)};
     const std::vector<proofs::CertifiedEquilibrium> at = states(*path, deflections);
     for (std::size_t i = 0; i < at.size(); ++i) {
@@ -191,9 +201,9 @@ Judgement under_force(const Printed& printed, int) {
 }
 
 Judgement several(const Printed& printed, int digits) {
-  const Chain<Interval> chain({1, 1, 1}, {0, 1, 2},
-                              {0, Interval(Rational(11, 10)), Interval(Rational(-3, 2))});
-  const SlowPath path = compress_slowly(chain, unloaded_reach(chain), 1.4);
+  const HeldChain chain =
+      held(Chain<Interval>({1, 1, 1}, {0, 1, 2}, {0, Interval(Rational(11, 10)), Interval(Rational(-3, 2))}));
+  const SlowPath& path = chain.compressed(1.4);
   const auto points = path.of_kind(EventKind::quasi_buckling);
   const std::string count = std::to_string(path.softest());
   Judgement result = judge_word(
@@ -209,10 +219,10 @@ Judgement several(const Printed& printed, int digits) {
 }
 
 /// Which torques make (8) give no force in the unloaded shapes of Table 1.
-Judgement torques_from_rest(const Printed& printed, int) {
+Judgement torques_from_rest(const Printed& printed, const Premises& given, int) {
   bool from_rest = true;
   std::vector<std::string> forces;
-  for (const Chain<Interval>& chain : {u_shaped_chain(), z_shaped_chain()}) {
+  for (const Chain<Interval>& chain : {given.chain("u-chain"), given.chain("z-chain")}) {
     Interval x(0), y(0), theta(0), xx(0), xy(0), yy(0), xm(0), ym(0);
     for (const Interval& q : chain.rest()) theta += q;
     for (std::size_t i = chain.size(); i-- > 0;) {  // rows of J^T: (-y, x), from the last joint on
@@ -240,36 +250,36 @@ Judgement torques_from_rest(const Printed& printed, int) {
           ""};
 }
 
-/// How many equations (8) are, for a given force.
+/// Which of (6) and (8) are as many equations as there are angles: (8) says J (J^T F + M) = 0.
 Judgement equations_of_8(const Printed& printed, int) {
-  const auto count = [](std::size_t n) {
-    return static_cast<std::size_t>(Eigen::FullPivLU<Matrix<Rational>>(bent_jacobian(n)).rank());
-  };
-  return judge_count(
-      printed.at(0), count,
-      "(8) says J (J^T F + M) = 0: two equations for n unknowns. Equilibrium is (6), all n of them",
-      EvidenceKind::exact, "rank of J in rationals, bent shape");
-}
-
-/// The nearly straight chain of Fig. 5b, slowly compressed.
-const SlowPath& fig5b_path() {
-  static const SlowPath instance = [] {
-    const Interval epsilon(Rational(-1, 20));
-    const Chain<Interval> chain({1, 1, 1}, {0, 1, 1}, {0, epsilon, epsilon});
-    return compress_slowly(chain, unloaded_reach(chain), 1);
-  }();
-  return instance;
+  bool enough = true;
+  std::string counts;
+  for (std::size_t n = fewest; n <= most; ++n) {
+    const Matrix<Rational> J = bent_jacobian(n);
+    const auto count = printed.at(0) == "(8)" ? Eigen::FullPivLU<Matrix<Rational>>(J).rank() : J.cols();
+    enough = enough && static_cast<std::size_t>(count) == n;
+    counts += fmt::format("{}{}", counts.empty() ? "" : ", ", count);
+  }
+  return {enough ? Verdict::confirmed : Verdict::refuted,
+          enough
+              ? ""
+              : "(8) says J (J^T F + M) = 0: two equations for n unknowns. Equilibrium is (6), all n of them",
+          {{EvidenceKind::exact,
+            fmt::format(
+                "{} for n = 2 … 6 links, bent shape, rows of (6) and rank of J in rationals: {} equations",
+                printed.at(0), counts)}},
+          ""};
 }
 
 /// The most minima of the stiffness that a simulated curve without buckling has.
-Judgement most_points(const Printed& printed, int digits) {
+Judgement most_points(const Printed& printed, const Premises& given, int digits) {
   std::size_t most = 0;
   std::vector<std::string> list;
   Judgement result;
-  for (const auto& [name, path] : {std::pair{"Fig. 5b, epsilon = -0.05", &fig5b_path()},
-                                   {"Fig. 7", &fig7_path()},
-                                   {"Fig. 12", &u_path()},
-                                   {"Fig. 14", &z_path()}}) {
+  for (const auto& [name, path] : {std::pair{"Fig. 5b", &held(given, "quasi-straight").compressed(1)},
+                                   {"Fig. 7", &held(given, "fig-7-chain").compressed(far)},
+                                   {"Fig. 12", &held(given, "u-chain").compressed(far)},
+                                   {"Fig. 14", &z_path(given)}}) {
     const double first = path->stretches[0].points.front().stiffness;
     most = std::max(most, path->softest());
     result.evidence.push_back({EvidenceKind::interval, std::string(name) + ": " + path->evidence().detail});

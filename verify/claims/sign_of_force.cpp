@@ -12,8 +12,8 @@
 #include "proofs/exact/enclosure.hpp"
 #include "proofs/exact/exact_matrix.hpp"
 #include "proofs/exact/expression.hpp"
+#include "verify/chains/straight_chains.hpp"
 #include "verify/claims/claims.hpp"
-#include "verify/claims/straight_chains.hpp"
 #include "verify/judging/comparison.hpp"
 #include "verify/paper/paper.hpp"
 #include "verify/sampled/algorithm1_instances.hpp"
@@ -41,7 +41,7 @@ const Place places[] = {
     {"(33)", "eq-31-33", 5, "K", 1},
     {"(34)", "eq-34", 0, "1/Fx", 1},
     {"(35)", "eq-35-force", 0, "1/lambda", 1},
-    {"Table 2", "table-2-row-1", 1, "1.0822", 1},
+    {"Table 2", "table-2-row-1", 0, "1.0822", 1},
     {"(36)", "eq-36", 0, "1/max(lambda)", 1},
     {"Table 3", "table-3-forces", 1, "0.9240", 1},
     {"step 4", "algorithm-1-step-4", 0, "1/max(lambda)", 1},
@@ -97,13 +97,15 @@ std::string algorithm1_against(const Chain<Rational>& exact, const Interval& cer
 
 /// "-1/max(lambda)", lambda the absolute values of the eigenvalues, as the lowest force of the unit chain of
 /// four links, at a place of the paper.
-Judgement critical_force(const std::string& place, const Printed& printed, int digits) {
+Judgement lowest_force_at(const std::string& place, const Printed& printed, const Premises& given,
+                          int digits) {
+  const Chain<Rational> chain = given.exact_chain("unit-chain");
   static const std::regex form(R"(([+-]?)(\d+)/(max|min)\(lambda\))");
   std::smatch parts;
   const std::string text = printed.at(0);
   if (!std::regex_match(text, parts, form))
     throw Error("claim", "'" + text + "'", "-1/max(lambda) or the like");
-  const auto forces = proofs::enclose_critical_forces(four_link_chain(), 3, 60);
+  const auto forces = proofs::enclose_critical_forces(chain, chain.size() - 1, 60);
   const auto enclosed = [](const proofs::ForceEnclosure& force) {
     return hull(Interval(force.low), Interval(force.high));
   };
@@ -124,10 +126,17 @@ Judgement critical_force(const std::string& place, const Printed& printed, int d
                          Evidence::by_checked_theorem("Definiteness", {"eigenvalues.eigenvalues"},
                                                       "all n - 1 forces -1/lambda_i are positive"));
   result.evidence.push_back({EvidenceKind::interval, "F_x^0 bounded by exact counts: " + lowest.text(20)});
-  result.evidence.push_back({EvidenceKind::mp50, algorithm1_against<Mpfr50>(four_link_chain(), lowest)});
-  result.evidence.push_back({EvidenceKind::real64, algorithm1_against<double>(four_link_chain(), lowest)});
+  result.evidence.push_back({EvidenceKind::mp50, algorithm1_against<Mpfr50>(chain, lowest)});
+  result.evidence.push_back({EvidenceKind::real64, algorithm1_against<double>(chain, lowest)});
   result.value = certified_decimal(lowest, digits);
   return result;
+}
+
+Judgement force_of_36(const Printed& printed, const Premises& given, int digits) {
+  return lowest_force_at("(36)", printed, given, digits);
+}
+Judgement force_of_step_4(const Printed& printed, const Premises& given, int digits) {
+  return lowest_force_at("step 4", printed, given, digits);
 }
 
 /// (24): each entry ±k_i q_i, all with one sign.
@@ -223,9 +232,8 @@ Checks claims::sign_of_force() {
   return {
       {"torque-sign", torques_of_2},
       {"eq-24", torques},
-      {"eq-36", [](const Printed& printed, int digits) { return critical_force("(36)", printed, digits); }},
-      {"algorithm-1-step-4",
-       [](const Printed& printed, int digits) { return critical_force("step 4", printed, digits); }},
+      {"eq-36", force_of_36},
+      {"algorithm-1-step-4", force_of_step_4},
   };
 }
 

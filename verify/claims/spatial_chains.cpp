@@ -9,6 +9,7 @@
 
 #include "proofs/exact/decimal.hpp"
 #include "proofs/exact/enclosure.hpp"
+#include "proofs/exact/straight_space.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/judging/comparison.hpp"
 #include "verify/judging/sign.hpp"
@@ -143,6 +144,23 @@ SpatialChain spatial_chain(const Interval& angle) {
   return chain;
 }
 
+/// The chain with its planes at the angle whose cosine is 3/5, in fractions; its links weigh so much each,
+/// and it stands upright.
+proofs::StraightSpace in_fractions(const SpatialChain& chain, const Rational& weight) {
+  const std::size_t n = chain.size();
+  std::vector<SpaceJoint<Rational>> joints;
+  SpaceLoad<Rational> load;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Rational y = chain.plane[i] == 1 ? Rational(0) : Rational(-4, 5),
+                   z = chain.plane[i] == 1 ? 1 : Rational(3, 5);
+    joints.push_back({{{{0, y, z}, chain.stiffness[i]}}});
+    load.compression.multiplied.emplace_back(1);
+    load.compression.fixed.push_back(weight * (2 * static_cast<int>(n - i) - 1) /
+                                     2);  // half its own, all beyond
+  }
+  return {SpaceChain<Rational>(chain.length, std::move(joints)), load};
+}
+
 Judgement minimum_of_planes(const Printed& printed, int digits) {
   std::vector<Interval> planar;
   for (const int plane : {1, 2}) {
@@ -176,7 +194,9 @@ Judgement minimum_of_planes(const Printed& printed, int digits) {
             "negative directions of the second variation of the product of rotations, end point kept on the "
             "axis, bisected in intervals: " +
                 list + "; planar sub-chains by exact counts: " + certified_decimal(planar[0], 6) + " and " +
-                certified_decimal(planar[1], 6)}},
+                certified_decimal(planar[1], 6)},
+           {EvidenceKind::exact, "the same chain with the cosine 3/5 between the planes, by exact counts: " +
+                                     in_fractions(spatial_chain(Interval(0)), 0).in_decimals(1, 6)[0].force}},
           certified_decimal(lowest_force(spatial_chain(degrees(60))), std::min(digits, 11)) +
               " with planes at 60 degrees"};
 }
@@ -259,12 +279,22 @@ Judgement by_eigenvalues(const Printed& printed, int) {
     all = all && none == std::size_t{0} && every == chain.size() - 2;
     list += fmt::format("{}{} at {} degrees", list.empty() ? "" : ", ", every.value_or(0), angle);
   }
+  const std::size_t size = spatial_chain(Interval(0)).size();
+  const Rational weight(1, 50);
+  const auto light = in_fractions(spatial_chain(Interval(0)), 0),
+             heavy = in_fractions(spatial_chain(Interval(0)), weight);
+  all = all && light.modes() == size - 2 && heavy.modes() == size - 2;
   return judge_word(
       printed.at(0), all ? "eigenvalues" : "another", "they are not the eigenvalues of a pencil",
       {{EvidenceKind::interval,
         "K - F M, symmetric, M = -d^2x, on the directions that keep the end point on the axis: no "
         "negative direction at F = 0.01; at F = 100, of four possible, " +
-            list + ": so many eigenvalues lie in between"}});
+            list + ": so many eigenvalues lie in between"},
+       {EvidenceKind::exact, fmt::format("the planes at the cosine 3/5, in fractions: {} positive "
+                                         "eigenvalues, the lowest {}; standing upright, "
+                                         "each link of weight {}: {}, the lowest {}",
+                                         light.modes(), light.in_decimals(1, 6)[0].force, weight.str(),
+                                         heavy.modes(), heavy.in_decimals(1, 6)[0].force)}});
 }
 
 }  // namespace

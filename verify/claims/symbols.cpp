@@ -10,8 +10,8 @@
 
 #include "proofs/census/census.hpp"
 #include "proofs/exact/symbolic_statics.hpp"
+#include "verify/chains/loaded_chains.hpp"
 #include "verify/claims/claims.hpp"
-#include "verify/claims/loaded_chains.hpp"
 #include "verify/judging/comparison.hpp"
 #include "verify/judging/sign.hpp"
 
@@ -33,10 +33,8 @@ struct ThreeLinks {
 };
 
 /// All equilibria of the chain of Fig. 7 at 0.1 L.
-const proofs::Census& census() {
-  static const proofs::Census instance =
-      held_at(fig7_chain(), unloaded_reach(fig7_chain()) - Interval(Rational(1, 10)));
-  return instance;
+const proofs::Census& census(const Premises& given) {
+  return held(given, "fig-7-chain").at(Rational(1, 10));
 }
 
 /// The size of a printed vector such as "[Fx Fy]^T", which has to have these entries.
@@ -95,10 +93,10 @@ Judgement balance(const Printed& printed, int) {
 }
 
 /// Whether the orientation phi of (5) also satisfies (4) with y_0 = 0.
-Judgement one_phi(const Printed& printed, int) {
-  const Chain<Interval> chain = fig7_chain();
+Judgement one_phi(const Printed& printed, const Premises& given, int) {
+  const Chain<Interval> chain = given.chain("fig-7-chain");
   bool another = true;
-  for (const auto& one : census().equilibria) {
+  for (const auto& one : census(given).equilibria) {
     const Interval y0 = end_point(chain, {one.q[0], chain.rest()[1], chain.rest()[2]}).y;
     another = another && !y0.contains_zero();
   }
@@ -148,12 +146,12 @@ Judgement deflection_angles(const Printed& printed, int) {
 }
 
 /// printed: S_2^2 as a function of C2, and how many signs of S_2 occur
-Judgement elbow_sine(const Printed& printed, int) {
+Judgement elbow_sine(const Printed& printed, const Premises& given, int) {
   const proofs::Formulas formulas({"C2", "a"});
   const ex a = formulas.symbol("a");
   const ex square = formulas.parse(printed.at(0)).subs(formulas.symbol("C2") == cos(a));
   std::set<char> found;
-  for (const auto& one : census().equilibria) found.insert(sign_character(sin(one.q[2])));
+  for (const auto& one : census(given).equilibria) found.insert(sign_character(sin(one.q[2])));
   const bool right =
       proofs::identical(square, sin(a) * sin(a)) && printed.at(1) == std::to_string(found.size());
   return {right ? Verdict::confirmed : Verdict::refuted,
@@ -167,9 +165,9 @@ Judgement elbow_sine(const Printed& printed, int) {
 }
 
 /// What tells the equilibria apart.
-Judgement not_unique(const Printed& printed, int) {
+Judgement not_unique(const Printed& printed, const Premises& given, int) {
   std::map<char, std::size_t> count;
-  for (const auto& one : census().equilibria) ++count[sign_character(sin(one.q[2]))];
+  for (const auto& one : census(given).equilibria) ++count[sign_character(sin(one.q[2]))];
   return judge_word(
       printed.at(0), count['+'] > 0 && count['-'] > 0 ? "the sign" : "phi",
       "all of them have one sign of S_2",

@@ -9,9 +9,9 @@
 
 #include "proofs/exact/decimal.hpp"
 #include "proofs/exact/symbolic_statics.hpp"
+#include "verify/chains/loaded_chains.hpp"
+#include "verify/chains/straight_chains.hpp"
 #include "verify/claims/claims.hpp"
-#include "verify/claims/loaded_chains.hpp"
-#include "verify/claims/straight_chains.hpp"
 #include "verify/judging/comparison.hpp"
 #include "verify/judging/sign.hpp"
 
@@ -69,38 +69,6 @@ std::vector<ex> entries(const GiNaC::matrix& m) {
   return result;
 }
 
-Judgement jacobian_of(const proofs::SymbolicShape& s, const Printed& printed) {
-  std::vector<std::string> names;
-  for (int row = 1; row <= 2; ++row) {
-    for (int column = 1; column <= 3; ++column)
-      names.push_back(fmt::format("entry ({},{}) / L", row, column));
-  }
-  std::vector<ex> computed = entries(jacobian(s));
-  for (ex& entry : computed) entry = (entry / L()).expand();
-  return judge_formulas(stretched_formulas(), printed, computed, names,
-                        "derivative of the end point, shape inserted");
-}
-
-Judgement balance_of(const proofs::SymbolicShape& s, const Printed& printed) {
-  std::vector<ex> computed = entries(
-      proofs::torque_balance(s, stretched_formulas().symbol("Fx"), stretched_formulas().symbol("Fy")));
-  return judge_formulas(stretched_formulas(), printed, computed, {"equation 1", "equation 2", "equation 3"},
-                        "J^T F + M with M = (0, k q_1, k q_2), shape inserted");
-}
-
-Judgement jacobian_u(const Printed& printed, int) {
-  return jacobian_of(u_shape(), printed);
-}
-Judgement jacobian_z(const Printed& printed, int) {
-  return jacobian_of(z_shape(), printed);
-}
-Judgement balance_u(const Printed& printed, int) {
-  return balance_of(u_shape(), printed);
-}
-Judgement balance_z(const Printed& printed, int) {
-  return balance_of(z_shape(), printed);
-}
-
 /// The forces that solve a balance, from its second and third equation; they solve the first too where the
 /// chain can be in equilibrium.
 struct Forces {
@@ -130,15 +98,16 @@ Judgement solution_u(const Printed& printed, int) {
 }
 
 /// Printed limits against the critical force of the m-th mode of the chain.
-Judgement limit_of(const proofs::SymbolicShape& s, const Printed& printed, std::size_t m) {
+Judgement limit_of(const proofs::SymbolicShape& s, const Printed& printed, const Premises& given,
+                   std::size_t m) {
   const ex limit = proofs::limit_at_zero(solve(s).Fx, phi());
   Judgement result = judge_formulas(stretched_formulas(), printed, {limit}, {"the limit"},
                                     "series of the exact solution: " + proofs::text(limit));
   Rational F;
   std::istringstream(proofs::text((limit * L() / k()).normal())) >> F;
   const Rational nudge(1, 1000000);
-  const std::size_t below = count_below(three_link_chain(), Rational(F - nudge));
-  const std::size_t above = count_below(three_link_chain(), Rational(F + nudge));
+  const std::size_t below = count_below(given.exact_chain("three-links"), Rational(F - nudge));
+  const std::size_t above = count_below(given.exact_chain("three-links"), Rational(F + nudge));
   if (below != m - 1 || above != m)
     throw Error("critical force", "different results of limit and recursion", "agreement");
   result.evidence.push_back(
@@ -149,11 +118,11 @@ Judgement limit_of(const proofs::SymbolicShape& s, const Printed& printed, std::
   return result;
 }
 
-Judgement limit_u(const Printed& printed, int) {
-  return limit_of(u_shape(), printed, 1);
+Judgement limit_u(const Printed& printed, const Premises& given, int) {
+  return limit_of(u_shape(), printed, given, 1);
 }
-Judgement limit_z(const Printed& printed, int) {
-  return limit_of(z_shape(), printed, 2);
+Judgement limit_z(const Printed& printed, const Premises& given, int) {
+  return limit_of(z_shape(), printed, given, 2);
 }
 
 Judgement no_exact_solution(const Printed& printed, int) {
@@ -180,7 +149,7 @@ Judgement no_exact_solution(const Printed& printed, int) {
 
 Judgement asymptotic_z(const Printed& printed, int) {
   const Forces exact = solve(z_shape());
-  const ex printed_Fx = stretched_formulas().parse(fraction_reading(printed.at(0)));
+  const ex printed_Fx = stretched_formulas().parse(printed.at(0));
   const ex printed_Fy = stretched_formulas().parse(printed.at(1));
   const bool same_limit =
       proofs::identical(proofs::limit_at_zero(printed_Fx, phi()), proofs::limit_at_zero(exact.Fx, phi())) &&
@@ -205,8 +174,8 @@ Judgement asymptotic_z(const Printed& printed, int) {
           ""};
 }
 
-Judgement two_shapes(const Printed& printed, int) {
-  const Chain<Rational> chain = three_link_chain();
+Judgement two_shapes(const Printed& printed, const Premises& given, int) {
+  const Chain<Rational> chain = given.exact_chain("three-links");
   // beyond the sum of all critical forces none is left; 100 is far beyond k/L + 3k/L
   const std::size_t count = count_below(chain, Rational(100));
   return judge_word(
@@ -241,11 +210,11 @@ Judgement column_shapes(const Printed& printed, int) {
 }
 
 /// Where the curves of Fig. 5 begin.
-Judgement curves_begin(const Printed& printed, int) {
+Judgement curves_begin(const Printed& printed, const Premises& given, int) {
   std::vector<std::string> limits;
   for (const proofs::SymbolicShape& s : {u_shape(), z_shape()})
     limits.push_back(proofs::text((proofs::limit_at_zero(solve(s).Fx, phi()) * L() / k()).normal()));
-  const proofs::Census census = held_at(three_link_chain_at(0, 0), Interval(3 - Rational(1, 1000)));
+  const proofs::Census census = held(given, "three-links").at(Rational(1, 1000));
   bool near = census.equilibria.size() == 4;
   std::vector<std::string> found;
   for (const auto& one : census.equilibria) {
@@ -268,8 +237,8 @@ Rational small_form(const Chain<Rational>& chain, const std::vector<Rational>& q
   return 2 * (strain_energy(chain, q) - F * small_deflection(chain, q).x);
 }
 
-Judgement stability(const Printed& printed, int) {
-  const Chain<Rational> chain = three_link_chain();
+Judgement stability(const Printed& printed, const Premises& given, int) {
+  const Chain<Rational> chain = given.exact_chain("three-links");
   const std::vector<Rational> u{1, -1, -1};
   const std::vector<Rational> z{1, -3, 3};
   const Rational F_u = energy_factor(chain, u);
@@ -290,9 +259,9 @@ Judgement stability(const Printed& printed, int) {
       ""};
 }
 
-Judgement force_order(const Printed& printed, int) {
-  const Rational u = energy_factor(three_link_chain(), {1, -1, -1});
-  const Rational z = energy_factor(three_link_chain(), {1, -3, 3});
+Judgement force_order(const Printed& printed, const Premises& given, int) {
+  const Rational u = energy_factor(given.exact_chain("three-links"), {1, -1, -1});
+  const Rational z = energy_factor(given.exact_chain("three-links"), {1, -3, 3});
   return judge_word(printed.at(0),
                     u < z   ? "lower"
                     : u > z ? "higher"
@@ -336,13 +305,9 @@ Checks claims::three_link() {
   return {
       {"u-shape-closes", closes},
       {"z-shape-closes", closes},
-      {"eq-13", jacobian_u},
-      {"eq-14", balance_u},
       {"eq-15", solution_u},
       {"u-curve-stable", stable_curve},
       {"eq-16", limit_u},
-      {"eq-17", jacobian_z},
-      {"eq-18", balance_z},
       {"z-no-exact-solution", no_exact_solution},
       {"eq-19", asymptotic_z},
       {"eq-20", limit_z},

@@ -11,8 +11,8 @@
 
 #include "proofs/census/census.hpp"
 #include "proofs/exact/symbolic_statics.hpp"
+#include "verify/chains/loaded_chains.hpp"
 #include "verify/claims/claims.hpp"
-#include "verify/claims/loaded_chains.hpp"
 #include "verify/judging/comparison.hpp"
 #include "verify/judging/matrix_formula.hpp"
 #include "verify/paper/paper.hpp"
@@ -36,17 +36,6 @@ std::vector<ex> place(const ex& second, const ex& third) {
   const ex L = symbol("L");
   const GiNaC::matrix p = proofs::end_point({{L, L, L}, {0, 1, 1}, {symbol("phi"), second, third}});
   return {p(0, 0), p(1, 0)};
-}
-
-Judgement initial_place(const Printed& printed, int) {
-  return judge_formulas(model_formulas(), printed, place(symbol("alpha1"), symbol("alpha2")), {"x_0", "y_0"},
-                        "direct kinematics of three links of length L at (phi, alpha_1, alpha_2)");
-}
-
-Judgement loaded_place(const Printed& printed, int) {
-  return judge_formulas(model_formulas(), printed,
-                        place(symbol("alpha1") + symbol("q1"), symbol("alpha2") + symbol("q2")), {"x", "y"},
-                        "direct kinematics at (phi, alpha_1 + q_1, alpha_2 + q_2)");
 }
 
 /// (7) in the abbreviations S0 … C012, which stand for functions of the three orientations.
@@ -104,9 +93,8 @@ Judgement abbreviations(const Printed& printed, int) {
 }
 
 /// The least favourable kind of equilibrium that a census of the U-chain holds.
-Judgement kind_of_point(const Printed& printed, int) {
-  const proofs::Census census =
-      held_at(fig7_chain(), unloaded_reach(fig7_chain()) - Interval(Rational(1, 10)));
+Judgement kind_of_point(const Printed& printed, const Premises& given, int) {
+  const proofs::Census& census = held(given, "fig-7-chain").at(Rational(1, 10));
   bool all_minima = true;
   for (const auto& one : census.equilibria) all_minima = all_minima && one.negative_directions == 0;
   const std::string found = all_minima ? "minimum" : "stationary point";
@@ -210,9 +198,8 @@ Judgement inverse_kinematics(const Printed& printed, int) {
 }
 
 /// Whether stable (or unstable) equilibria are just the absolute extremum of E over phi.
-Judgement extremum(const Printed& printed, bool stable) {
-  const proofs::Census census =
-      held_at(fig7_chain(), unloaded_reach(fig7_chain()) - Interval(Rational(1, 10)));
+Judgement extremum(const Printed& printed, const Premises& given, bool stable) {
+  const proofs::Census& census = held(given, "fig-7-chain").at(Rational(1, 10));
   std::vector<const proofs::CertifiedEquilibrium*> some;
   for (const auto& one : census.equilibria) {
     if ((one.negative_directions == 0) == stable) some.push_back(&one);
@@ -240,10 +227,11 @@ Judgement extremum(const Printed& printed, bool stable) {
           ""};
 }
 
-Judgement potential_energy(const Printed& printed, int) {
-  const ex q1 = symbol("q1"), q2 = symbol("q2"), k = symbol("k");
-  return judge_formulas(model_formulas(), printed, {k * q1 * q1 / 2 + k * q2 * q2 / 2}, {"E"},
-                        "two springs; the base joint has none");
+Judgement arg_min(const Printed& printed, const Premises& given, int) {
+  return extremum(printed, given, true);
+}
+Judgement arg_max(const Printed& printed, const Premises& given, int) {
+  return extremum(printed, given, false);
 }
 
 /// The gradient by (phi, q1, q2) of a potential of E, Fx and Delta, Delta as a function of the shape, less
@@ -323,8 +311,6 @@ Judgement potential_or_strain(const Printed& printed, int) {
 
 Checks claims::three_link_model() {
   return {
-      {"eq-4", initial_place},
-      {"eq-5", loaded_place},
       {"eq-7", jacobian_entries},
       {"eq-7-names", abbreviations},
       {"equilibrium-is-minimum", kind_of_point},
@@ -332,9 +318,8 @@ Checks claims::three_link_model() {
       {"reduced-space", reduced_space},
       {"eq-9-angles", inverse_kinematics},
       {"eq-9-C2", elbow},
-      {"arg-min", [](const Printed& printed, int) { return extremum(printed, true); }},
-      {"arg-max", [](const Printed& printed, int) { return extremum(printed, false); }},
-      {"eq-10", potential_energy},
+      {"arg-min", arg_min},
+      {"arg-max", arg_max},
       {"strain-energy-suffices", load_term},
       {"end-point-deflection", deflection_sign},
       {"energy-10", potential_or_strain},

@@ -6,6 +6,7 @@
 
 #include "proofs/census/census.hpp"
 #include "proofs/paths/followed_path.hpp"
+#include "verify/chains/loaded_chains.hpp"
 #include "verify/figures/branch_curves.hpp"
 #include "verify/figures/figures.hpp"
 
@@ -86,20 +87,20 @@ page::Panel shapes_at(const Chain<double>& chain, double x) {
 std::vector<page::Panel> force_curves(const Chain<double>& chain) {
   const proofs::PathTask task = compressed(chain, 3.8, 1.5);
   const proofs::PathReport slow = proofs::follow_slowly(task);
-  page::Panel along{"F_x, compression positive", "δ_x / L", "-F_x L / k", {}, {}, "", false};
-  page::Panel across{"F_y", "δ_x / L", "F_y L / k", {}, {}, "", false};
-  page::Panel stiffness{"tangent stiffness", "δ_x / L", "dF_x/dx L^2 / k", {}, {}, "set logscale y", false};
+  page::Panel along{"F_x, compression positive", "δ_x / L", "F_x L / k", {}, {}, "", false};
+  page::Panel across{"F_y of (6)", "δ_x / L", "F_y L / k", {}, {}, "", false};
+  page::Panel stiffness{"tangent stiffness", "δ_x / L", "dF_x/dδ_x L^2 / k", {}, {}, "set logscale y", false};
   page::Panel shapes{"shapes", "x / L", "y / L", {}, {}, "set key below", true};
   const auto load = [](const BranchPoint<double>& p) { return p.load; };
   for (const auto& stretch : slow.branches) {
     add_curves(
-        along.curves, stretch, 1, load, [](const auto& p) { return -p.force.x; }, "");
+        along.curves, stretch, 1, load, [](const auto& p) { return paper_force(p).x; }, "");
     add_curves(
-        across.curves, stretch, 1, load, [](const auto& p) { return p.force.y; }, "");
+        across.curves, stretch, 1, load, [](const auto& p) { return paper_force(p).y; }, "");
     add_curves(
         stiffness.curves, stretch, 1, load, [](const auto& p) { return p.stiffness; }, "");
     for (const auto& event : stretch.events) {
-      along.marks.push_back({event.point.load, -event.point.force.x, std::string(name(event.kind))});
+      along.marks.push_back({event.point.load, paper_force(event.point).x, std::string(name(event.kind))});
       stiffness.marks.push_back({event.point.load, event.point.stiffness, std::string(name(event.kind))});
     }
     int colour = 1;

@@ -18,6 +18,17 @@ bool is_word(const std::string& text) {
          text.find_first_of("0123456789") == std::string::npos;
 }
 
+/// Formulas with everything behind the first slash of each as the denominator: the reading that a printed
+/// line such as "2kq/L sin(q)" intends.
+Printed fraction_readings(Printed formulas) {
+  for (std::string& formula : formulas) {
+    const std::size_t slash = formula.find('/');
+    if (slash != std::string::npos)
+      formula = formula.substr(0, slash) + "/(" + formula.substr(slash + 1) + ")";
+  }
+  return formulas;
+}
+
 }  // namespace
 
 Evidence Evidence::by_checked_theorem(std::string name, std::vector<std::string> coq, std::string says) {
@@ -40,7 +51,15 @@ Judgement judge_print(const Claim& claim, const Printed& printed, int digits) {
         std::find(claim.words.begin(), claim.words.end(), text) == claim.words.end())
       throw Error("claim", "'" + text + "'", fmt::format("one of: {}", fmt::join(claim.words, ", ")));
   }
-  Judgement judgement = claim.check(printed, digits);
+  Judgement judgement = claim.check(printed, claim.given, digits);
+  if (claim.charitable && judgement.verdict != Verdict::confirmed) {
+    const Printed favoured = fraction_readings(printed);
+    Judgement other = favoured == printed ? judgement : claim.check(favoured, claim.given, digits);
+    if (other.verdict == Verdict::confirmed) {
+      judgement = std::move(other);
+      judgement.favoured = favoured;
+    }
+  }
   std::stable_sort(judgement.evidence.begin(), judgement.evidence.end(),
                    [](const Evidence& a, const Evidence& b) { return a.kind < b.kind; });
   return judgement;
@@ -50,8 +69,7 @@ std::optional<Severity> severity(const Claim& claim, Verdict verdict) {
   if (verdict == Verdict::confirmed) return std::nullopt;
   if (verdict == Verdict::convention) return Severity::convention;
   if (claim.subject == Subject::name) return Severity::wording;
-  if (claim.subject == Subject::number) return Severity::number;
-  return verdict == Verdict::imprecise ? Severity::wording : Severity::result;
+  return claim.subject == Subject::statement ? Severity::statement : Severity::formula;
 }
 
 std::string_view name(Verdict verdict) {
@@ -60,7 +78,8 @@ std::string_view name(Verdict verdict) {
 }
 
 std::string_view name(Severity severity) {
-  static constexpr std::array<std::string_view, 4> names{"result", "number", "wording", "convention"};
+  static constexpr std::array<std::string_view, 5> names{"result", "formula", "statement", "wording",
+                                                         "convention"};
   return names.at(static_cast<std::size_t>(severity));
 }
 

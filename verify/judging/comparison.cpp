@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <plumbline/base/error.hpp>
+#include <set>
+#include <sstream>
 
 #include "proofs/exact/decimal.hpp"
 #include "proofs/exact/exactly.hpp"
@@ -48,29 +50,37 @@ Verdict worst(Verdict a, Verdict b) {
   return Verdict::confirmed;
 }
 
-std::string fraction_reading(const std::string& formula) {
-  const std::size_t slash = formula.find('/');
-  if (slash == std::string::npos) return formula;
-  return formula.substr(0, slash) + "/(" + formula.substr(slash + 1) + ")";
-}
+namespace {
 
-Judgement judge_formulas(const proofs::Formulas& formulas, const Printed& printed,
-                         const std::vector<GiNaC::ex>& computed, const std::vector<std::string>& names,
-                         const std::string& how) {
+/// Printed against computed, entry by entry; the truth of each that is not `alike`.
+template <class Alike>
+Judgement judge_entries(const proofs::Formulas& formulas, const Printed& printed,
+                        const std::vector<GiNaC::ex>& computed, const std::vector<std::string>& names,
+                        const std::string& how, const Alike& alike) {
   require_count(printed.size(), computed.size());
   Judgement result{Verdict::confirmed, "", {{EvidenceKind::symbolic, how}}, ""};
   std::vector<std::string> truths;
   for (std::size_t i = 0; i < printed.size(); ++i) {
-    if (proofs::identical(formulas.parse(printed[i]), computed[i])) continue;
-    if (proofs::identical(formulas.parse(fraction_reading(printed[i])), computed[i])) {
-      result.evidence[0].detail += fmt::format("; {} is {}", names[i], fraction_reading(printed[i]));
-    } else {
-      result.verdict = Verdict::refuted;
-      truths.push_back(fmt::format("{} = {}, not {}", names[i], proofs::text(computed[i]), printed[i]));
-    }
+    if (alike(formulas.parse(printed[i]), computed[i])) continue;
+    result.verdict = Verdict::refuted;
+    truths.push_back(fmt::format("{} = {}, not {}", names[i], proofs::text(computed[i]), printed[i]));
   }
   result.truth = fmt::format("{}", fmt::join(truths, "; "));
   return result;
+}
+
+}  // namespace
+
+Judgement judge_formulas(const proofs::Formulas& formulas, const Printed& printed,
+                         const std::vector<GiNaC::ex>& computed, const std::vector<std::string>& names,
+                         const std::string& how) {
+  return judge_entries(formulas, printed, computed, names, how, proofs::identical);
+}
+
+Judgement judge_equations(const proofs::Formulas& formulas, const Printed& printed,
+                          const std::vector<GiNaC::ex>& computed, const std::vector<std::string>& names,
+                          const std::string& how) {
+  return judge_entries(formulas, printed, computed, names, how, proofs::proportional);
 }
 
 Judgement judge_word(const std::string& printed, const std::string& computed, const std::string& truth,
@@ -82,6 +92,72 @@ Judgement judge_word(const std::string& printed, const std::string& computed, co
 Judgement judge_list(const Printed& printed, const std::vector<std::string>& computed,
                      const std::string& truth, std::vector<Evidence> evidence) {
   const bool right = printed == computed;
+  return {right ? Verdict::confirmed : Verdict::refuted, right ? "" : truth, std::move(evidence), ""};
+}
+
+Judgement judge_rows(const Printed& printed, const std::vector<std::string>& computed, std::size_t width,
+                     const std::string& truth, std::vector<Evidence> evidence) {
+  const auto rows = [&](const std::vector<std::string>& entries) {
+    std::multiset<std::vector<std::string>> set;
+    for (std::size_t i = 0; i < entries.size(); i += width)
+      set.emplace(entries.begin() + static_cast<std::ptrdiff_t>(i),
+                  entries.begin() + static_cast<std::ptrdiff_t>(std::min(i + width, entries.size())));
+    return set;
+  };
+  const bool right = rows(printed) == rows(computed);
+  return {right ? Verdict::confirmed : Verdict::refuted, right ? "" : truth, std::move(evidence), ""};
+}
+
+namespace {
+
+/// What is counted, one and several of it.
+constexpr std::pair<std::string_view, std::string_view> things[] = {{"minimum", "minima"},
+                                                                    {"saddle", "saddles"},
+                                                                    {"maximum", "maxima"},
+                                                                    {"stable", "stable"},
+                                                                    {"unstable", "unstable"}};
+
+}  // namespace
+
+Counts::Counts(const std::string& text) {
+  std::istringstream parts(text);
+  for (std::string part; std::getline(parts, part, ',');) {
+    std::istringstream words(part);
+    std::size_t count = 0;
+    std::string word, more;
+    if (!(words >> count >> word) || words >> more) throw Error("claim", "'" + text + "'", "counts");
+    const auto* const thing = std::find_if(std::begin(things), std::end(things), [&](const auto& one) {
+      return word == one.first || word == one.second;
+    });
+    if (thing == std::end(things)) throw Error("claim", "'" + word + "'", "stable, minima or the like");
+    if (count > 0) count_[std::string(thing->first)] += count;
+  }
+}
+
+std::size_t Counts::of(const std::string& thing) const {
+  const auto found = count_.find(thing);
+  return found == count_.end() ? 0 : found->second;
+}
+
+std::size_t Counts::total() const {
+  std::size_t sum = 0;
+  for (const auto& [thing, count] : count_) sum += count;
+  return sum;
+}
+
+std::string Counts::text() const {
+  std::string text;
+  for (const auto& [one, several] : things) {
+    const std::size_t count = of(std::string(one));
+    if (count > 0)
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, count == 1 ? one : several);
+  }
+  return text.empty() ? "none" : text;
+}
+
+Judgement judge_counts(const std::string& printed, const std::string& computed, const std::string& truth,
+                       std::vector<Evidence> evidence) {
+  const bool right = Counts(printed) == Counts(computed);
   return {right ? Verdict::confirmed : Verdict::refuted, right ? "" : truth, std::move(evidence), ""};
 }
 
@@ -118,14 +194,17 @@ Judgement judge_decimals(const Printed& printed, const std::vector<Interval>& co
   for (std::size_t i = 0; i < printed.size(); ++i) {
     const std::optional<Rational> number = proofs::parse_decimal(printed[i]);
     if (!number) throw Error("claim", "'" + printed[i] + "'", "a decimal");
+    // a plain 0 is no rounded number
+    const bool zero = printed[i] == "0" && !(computed[i].contains_zero() && computed[i].width() == 0);
     const std::string right = certified_fixed(computed[i], places_behind_point(printed[i]));
-    if (right == printed[i]) continue;
+    if (right == printed[i] && !zero) continue;
     result.verdict =
-        worst(result.verdict, within_a_unit(*number, computed[i], places_behind_point(printed[i]))
+        worst(result.verdict, !zero && within_a_unit(*number, computed[i], places_behind_point(printed[i]))
                                   ? Verdict::imprecise
                                   : Verdict::refuted);
-    truths.push_back(
-        fmt::format("{} = {}, printed {}", names[i], certified_decimal(computed[i], 10), printed[i]));
+    const std::string truth =
+        fmt::format("{} = {}, printed {}", names[i], certified_decimal(computed[i], 10), printed[i]);
+    if (std::find(truths.begin(), truths.end(), truth) == truths.end()) truths.push_back(truth);
   }
   result.truth = fmt::format("{}", fmt::join(truths, "; "));
   return result;

@@ -38,6 +38,7 @@ Value inverse(const Value& a) {
 }
 
 Value pseudoinverse(const Value& a) {
+  if (a && a->rows() < a->cols()) return transposed(pseudoinverse(transposed(a)));
   return product(inverse(product(transposed(a), a)), transposed(a));
 }
 

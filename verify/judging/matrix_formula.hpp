@@ -12,8 +12,8 @@ namespace plumbline::verify {
 using NamedMatrices = std::map<std::string, Matrix<Rational>>;
 
 /// The value of a formula in + - * ^T, brackets, numbers, inv() and pinv(), the Moore-Penrose inverse of a
-/// matrix of full column rank. A 1 x 1 matrix is a scalar. Nothing where sizes do not fit or an inverse does
-/// not exist: then the formula means nothing.
+/// matrix of full column or row rank. A 1 x 1 matrix is a scalar. Nothing where sizes do not fit or an
+/// inverse does not exist: then the formula means nothing.
 /// \throws Error where it cannot be read or uses another name
 std::optional<Matrix<Rational>> evaluated(const std::string& formula, const NamedMatrices& values);
 

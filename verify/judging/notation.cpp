@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <regex>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -34,6 +35,7 @@ bool is_minus(const std::string& text, std::size_t place) {
   if (left == "e" && is_digit(at(text, begin - 1))) return false;
   const bool formula = is_digit(before) || !left.empty();
   if (formula && (after == '(' || greek().contains(left) || greek().contains(right))) return true;
+  if (left.size() == 1 && right.size() == 1) return true;
   return is_digit(after) && (is_digit(before) || left.size() == 1);
 }
 
@@ -64,23 +66,18 @@ std::string exponent(const std::string& text, std::size_t& place) {
   return text[begin] == '+' ? "⁺" : "ᵀ";
 }
 
-/// A word at a place, a Greek letter where it names one, with the digits behind it as its index; the sign of
-/// a shape. Moves the place behind it.
+/// A word at a place, a Greek letter where it names one, with the digits behind it as its index. Moves the
+/// place behind it.
 std::string word(const std::string& text, std::size_t& place) {
   const std::size_t end = end_of_run(text, place, is_letter);
   const std::string name = text.substr(place, end - place);
   place = end;
-  if (const auto letter = greek().find(name); letter != greek().end()) {
-    const std::size_t index = end_of_run(text, place, is_digit);
-    const std::string_view digits = std::string_view(text).substr(place, index - place);
-    place = index;
-    return letter->second + lowered(digits);
-  }
-  const char sign = at(text, place), after = at(text, place + 1);
-  if ((name != "U" && name != "Z") || (sign != '+' && sign != '-') || is_digit(after) || is_letter(after))
-    return name;
-  ++place;
-  return name + (sign == '+' ? "⁺" : "⁻");
+  const auto letter = greek().find(name);
+  if (letter == greek().end()) return name;
+  const std::size_t index = end_of_run(text, place, is_digit);
+  const std::string_view digits = std::string_view(text).substr(place, index - place);
+  place = index;
+  return letter->second + lowered(digits);
 }
 
 }  // namespace
@@ -112,6 +109,32 @@ std::string in_notation(const std::string& text) {
     }
   }
   return result;
+}
+
+std::string formula_in_print(const std::string& formula) {
+  static const std::vector<std::pair<std::regex, std::string>> rules{
+      {std::regex("\\b([A-Za-z])([xy])\\b"), "$1_$2"},                           // Fx
+      {std::regex("\\b(sin|cos|tan)\\(([0-9]*)\\*?([A-Za-z]+)\\)"), "$1 $2$3"},  // of a simple angle
+      {std::regex("\\*(sin|cos|tan)"), " $1"},
+      {std::regex("([^(/*\\s])([-+])"), "$1 $2 "},
+      {std::regex("\\*"), ""},
+  };
+  std::string text = formula;
+  for (const auto& [pattern, form] : rules) text = std::regex_replace(text, pattern, form);
+  std::string result;
+  for (std::size_t place = 0; place < text.size();) {  // letters with their digits as indices
+    const bool index = place > 0 && is_digit(text[place]) && is_letter(text[place - 1]);
+    const std::size_t end = end_of_run(text, place, is_digit);
+    result += index ? lowered(std::string_view(text).substr(place, end - place)) : text.substr(place, 1);
+    place = index ? end : place + 1;
+  }
+  std::string set = in_notation(result);
+  for (const auto& [letter, sign] : greek()) {  // also where letters meet: "kphi"
+    if (letter.size() < 3) continue;
+    for (std::size_t at = set.find(letter); at != std::string::npos; at = set.find(letter))
+      set.replace(at, letter.size(), sign);
+  }
+  return set;
 }
 
 }  // namespace plumbline::verify

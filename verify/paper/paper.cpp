@@ -1,114 +1,223 @@
 #include "verify/paper/paper.hpp"
 
-#include <algorithm>
-#include <plumbline/base/error.hpp>
+#include <fmt/core.h>
 
-#include "support/files/toml_file.hpp"
+#include <algorithm>
+#include <filesystem>
+#include <plumbline/base/error.hpp>
+#include <set>
+
+#include "support/files/text_file.hpp"
 #include "verify/judging/notation.hpp"
+#include "verify/paper/errata_file.hpp"
 #include "verify/paper/texts.hpp"
+#include "verify/paper/toml_texts.hpp"
 
 namespace plumbline::verify {
 namespace {
 
-std::string text(const toml::table& table, const std::string& key, const std::string& source,
-                 const std::optional<std::string>& otherwise = std::nullopt) {
-  if (const auto found = table[key].value<std::string>()) return *found;
-  if (!otherwise || table.contains(key))
-    throw Error(files::place(table, source), "no text '" + key + "'", "one");
-  return *otherwise;
+Premise premise(const toml::table& one, const std::string& source) {
+  Premise read{text(one, "id", source), text(one, "where", source, ""), text(one, "quote", source), {}};
+  for (const char* const part : {"length", "stiffness", "rest", "end", "value"})
+    if (one.contains(part)) read.parts[part] = texts(one, part, source);
+  files::refuse_unknown_keys(one, {"id", "where", "quote", "length", "stiffness", "rest", "end", "value"},
+                             source);
+  return read;
 }
 
-std::vector<std::string> texts(const toml::table& table, const std::string& key, const std::string& source) {
-  std::vector<std::string> list;
-  const toml::array* const array = table[key].as_array();
-  if (array == nullptr) return list;
-  for (const toml::node& node : *array) {
-    const auto one = node.value<std::string>();
-    if (!one) throw Error(files::place(node, source), "no text in '" + key + "'", "a list of texts");
-    list.push_back(*one);
+/// The check that a claim's own words state.
+StatedCheck stated_check(const toml::table& claim, const std::string& source) {
+  const toml::table* const table = claim["check"].as_table();
+  if (table == nullptr) return {};
+  StatedCheck check{text(*table, "is", source), {}, files::place(claim, source)};
+  for (const auto& [key, node] : *table) {
+    const std::string name(key.str());
+    if (name != "is") check.with[name] = texts(*table, name, source);
   }
-  return list;
+  return check;
 }
 
-/// One of several words, as the number of its place.
-std::size_t choice(const toml::table& table, const std::string& key, const std::vector<std::string>& words,
-                   const std::string& source) {
-  const std::string word = text(table, key, source, words.front());
-  const auto found = std::find(words.begin(), words.end(), word);
-  if (found == words.end()) throw Error(files::place(table, source), key + " = '" + word + "'", words.back());
-  return static_cast<std::size_t>(found - words.begin());
+Claim read_claim(const toml::table& one, const std::string& where, const std::string& source) {
+  const std::string id = text(one, "id", source);
+  Claim claim;
+  claim.id = id;
+  claim.where = where;
+  claim.also = texts(one, "also", source);
+  claim.quote = text(one, "quote", source, "");
+  claim.reading = in_notation(text(one, "reading", source));
+  claim.charitable = choice(one, "charity", {"literal", "charitable"}, source) == 1;
+  claim.printed = texts(one, "printed", source);
+  claim.words = texts(one, "words", source);
+  claim.list = one["list"].value_or(false);
+  claim.subject =
+      static_cast<Subject>(choice(one, "subject", {"statement", "formula", "number", "name"}, source));
+  claim.cause = text(one, "cause", source, id);
+  claim.stated = stated_check(one, source);
+  return claim;
 }
 
-template <class Read>
-void each(const toml::table& file, const std::string& name, const std::string& source, const Read& read) {
-  const toml::array* const list = file[name].as_array();
-  if (list == nullptr) throw Error(source, "no [[" + name + "]]", "at least one");
-  for (const toml::node& node : *list) read(*node.as_table());
-}
+/// Reads the files of a folder one after the other.
+class FolderReader {
+ public:
+  explicit FolderReader(const PaperFiles& files) : files_(files) {}
 
-void add_section(Paper& paper, const std::string& source, const char* content) {
-  const toml::table file = files::parse_toml(content, source);
-  files::refuse_unknown_keys(file, {"section", "title", "claim"}, source);
-  const std::string section = text(file, "section", source);
-  if (paper.sections.empty() || paper.sections.back().number != section)
-    paper.sections.push_back({section, text(file, "title", source)});
-  if (!file.contains("claim")) return;  // it says again what others say
-  each(file, "claim", source, [&](const toml::table& one) {
-    files::refuse_unknown_keys(one,
-                               {"id", "where", "also", "quote", "reading", "printed", "words", "list",
-                                "charity", "subject", "cause"},
+  Paper whole() {
+    const std::string source = "paper.toml";
+    const toml::table file = parse(source);
+    files::refuse_unknown_keys(file, {"title", "authors", "journal", "doi", "preprint", "read", "sections"},
                                source);
-    const std::string id = text(one, "id", source);
-    paper.claims.push_back(
-        {id,
-         section + ", " + text(one, "where", source),
-         texts(one, "also", source),
-         text(one, "quote", source),
-         in_notation(text(one, "reading", source)),
-         choice(one, "charity", {"literal", "charitable"}, source) == 1,
-         texts(one, "printed", source),
-         texts(one, "words", source),
-         one["list"].value_or(false),
-         static_cast<Subject>(choice(one, "subject", {"statement", "number", "name"}, source)),
-         text(one, "cause", source, id),
-         {},
-         {}});
-  });
-}
+    paper_.title = text(file, "title", source);
+    paper_.authors = text(file, "authors", source);
+    paper_.journal = text(file, "journal", source);
+    paper_.doi = text(file, "doi", source, "");
+    paper_.preprint = text(file, "preprint", source, "");
+    paper_.read = text(file, "read", source);
+    read_premises();
+    for (const std::string& name : texts(file, "sections", source)) read_section("section-" + name + ".toml");
+    read_errata();
+    give_premises();
+    return std::move(paper_);
+  }
 
-void add_causes(Paper& paper, const std::string& source, const char* content) {
-  each(files::parse_toml(content, source), "cause", source, [&](const toml::table& one) {
-    files::refuse_unknown_keys(one, {"id", "title", "correction", "effect", "unchanged"}, source);
-    paper.causes.push_back({text(one, "id", source), text(one, "title", source),
-                            text(one, "correction", source), text(one, "effect", source),
-                            texts(one, "unchanged", source)});
-  });
-}
+ private:
+  [[nodiscard]] toml::table parse(const std::string& source) const {
+    const auto content = files_(source);
+    if (!content) throw Error(source, "no such file", "one in the folder of the paper");
+    return files::parse_toml(*content, source);
+  }
+  /// An empty table where there is no such file.
+  [[nodiscard]] toml::table parse_if_there(const std::string& source) const {
+    return files_(source) ? parse(source) : toml::table{};
+  }
+
+  void read_premises() {
+    const std::string source = "premises.toml";
+    each(parse_if_there(source), "premise", source,
+         [&](const toml::table& one) { paper_.premises.push_back(premise(one, source)); });
+  }
+
+  void read_section(const std::string& source) {
+    const toml::table file = parse(source);
+    files::refuse_unknown_keys(file, {"section", "title", "claim"}, source);
+    const std::string section = text(file, "section", source);
+    if (paper_.sections.empty() || paper_.sections.back().number != section)
+      paper_.sections.push_back({section, text(file, "title", source)});
+    each(file, "claim", source, [&](const toml::table& one) {
+      files::refuse_unknown_keys(one,
+                                 {"id", "where", "also", "quote", "reading", "printed", "given", "words",
+                                  "list", "charity", "subject", "cause", "check"},
+                                 source);
+      add(paper_.claims, read_claim(one, section + ", " + text(one, "where", source), source), one, source);
+    });
+  }
+
+  void read_errata() {
+    const std::string source = "errata.toml";
+    const toml::table file = parse_if_there(source);
+    files::refuse_unknown_keys(file, {"fact", "erratum"}, source);
+    each(file, "fact", source, [&](const toml::table& one) {
+      files::refuse_unknown_keys(one, {"id", "reading", "printed", "given", "words", "check"}, source);
+      add(paper_.facts, read_claim(one, "behind the errata", source), one, source);
+    });
+    each(file, "erratum", source,
+         [&](const toml::table& one) { paper_.errata.push_back(read_erratum(one, paper_, source)); });
+  }
+
+  void add(std::vector<Claim>& list, Claim claim, const toml::table& one, const std::string& source) {
+    if (!ids_.insert(claim.id).second)
+      throw Error(files::place(one, source), "the id " + claim.id + " again", "another for each claim");
+    given_.push_back({texts(one, "given", source), files::place(one, source)});
+    list.push_back(std::move(claim));
+  }
+
+  /// Puts the print of a claim, as far as the chain has links, where a premise names it; then each claim's
+  /// premises beside it.
+  void give_premises() {
+    for (Premise& premise : paper_.premises) {
+      for (auto& [name, part] : premise.parts) {
+        if (part.size() != 1 || !ids_.contains(part.front())) continue;
+        const Printed& printed = paper_.claim(part.front()).printed;
+        const std::size_t links = premise.parts.at("length").size();
+        part.assign(printed.begin(), printed.begin() + static_cast<std::ptrdiff_t>(links));
+      }
+    }
+    std::size_t number = 0;
+    for (std::vector<Claim>* const list : {&paper_.claims, &paper_.facts}) {
+      for (Claim& claim : *list) {
+        const auto& [ids, place] = given_[number++];
+        try {
+          claim.given = paper_.given(ids);
+        } catch (const Error& error) {
+          throw Error(place, error.what(), "ids of premises.toml");
+        }
+      }
+    }
+  }
+
+  const PaperFiles& files_;
+  Paper paper_;
+  std::set<std::string> ids_;
+  std::vector<std::pair<std::vector<std::string>, std::string>> given_;  ///< by claim, with its place
+};
 
 }  // namespace
 
-const Paper& paper() {
-  static const Paper instance = [] {
-    Paper read;
-    for (const auto& [name, content] : section_texts) add_section(read, name, content);
-    add_causes(read, "causes.toml", causes_text);
-    return read;
-  }();
-  return instance;
+Premises Paper::given(const std::vector<std::string>& ids) const {
+  std::vector<Premise> list;
+  for (const std::string& id : ids) {
+    const auto found =
+        std::find_if(premises.begin(), premises.end(), [&](const Premise& one) { return one.id == id; });
+    if (found == premises.end()) throw Error("premises", id, "one of premises.toml");
+    list.push_back(*found);
+  }
+  return Premises(std::move(list));
 }
 
-const Printed& printed_in_paper(const std::string& id) {
-  for (const Claim& claim : paper().claims) {
-    if (claim.id == id) return claim.printed;
+const Claim& Paper::claim(const std::string& id) const {
+  for (const auto* const list : {&claims, &facts}) {
+    for (const Claim& one : *list)
+      if (one.id == id) return one;
   }
   throw Error("claim " + id, "no passage", "one in the paper");
 }
 
-std::string section_title(const std::string& number) {
-  for (const PaperSection& section : paper().sections) {
+std::string Paper::section_title(const std::string& number) const {
+  for (const PaperSection& section : sections) {
     if (section.number == number) return section.title;
   }
   return "";
+}
+
+std::string Paper::reference() const {
+  return fmt::format("{}, {}, {}", authors, title, journal);
+}
+
+Paper read_paper(const PaperFiles& files) {
+  return FolderReader(files).whole();
+}
+
+Paper read_paper_folder(const std::string& folder) {
+  const std::filesystem::path path(folder);
+  if (!std::filesystem::exists(path / "paper.toml"))
+    throw Error(folder, "no paper.toml", "the folder of a paper");
+  return read_paper([&](const std::string& name) -> std::optional<std::string> {
+    if (!std::filesystem::exists(path / name)) return std::nullopt;
+    return files::read_text(path / name);
+  });
+}
+
+const Paper& paper() {
+  static const Paper instance = read_paper([](const std::string& name) -> std::optional<std::string> {
+    for (const auto& [file, content] : paper_texts) {
+      if (file == name) return content;
+    }
+    return std::nullopt;
+  });
+  return instance;
+}
+
+const Printed& printed_in_paper(const std::string& id) {
+  return paper().claim(id).printed;
 }
 
 }  // namespace plumbline::verify

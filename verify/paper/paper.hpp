@@ -1,13 +1,21 @@
 #pragma once
 /// \file
-/// What the paper says, as far as it can be checked: the files section-*.toml, in the order of the paper.
+/// A paper as data: a folder of TOML files.
+///
+/// paper.toml has the reference, what was read, and the sections in their order, a file section-NAME.toml
+/// each. premises.toml has what is given where claims are made, errata.toml what is to be corrected.
 ///
 /// A claim has an `id`; `where` it stands in its section; a `quote`, the paper's own words or symbols; the
 /// `reading` that is judged, one line, and the same as `printed`, a list of texts that the check can read;
-/// the only `words` that these may hold; `list` is true where their number is judged too. `charity` is
-/// "charitable" where the words allow several readings and the most favourable one was taken; `subject` is
-/// "number" or "name" where it is no statement; claims that are wrong for one reason name it as their
-/// `cause`.
+/// the only `words` that these may hold; `list` is true where their number is judged too; `given`, the ids of
+/// its premises; its `check`, one of verify/generic by name, or nothing where the program has a function of
+/// its own. `charity` is "charitable" where the words allow several readings and the most favourable one was
+/// taken; `subject` is "formula", "number" or "name" where it is no statement; claims that are wrong for one
+/// reason name the erratum as their `cause`. docs/papers.md describes all of it.
+
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "verify/judging/claim.hpp"
 
@@ -17,29 +25,69 @@ struct PaperSection {
   std::string number, title;  ///< "4.1", "Critical force for three-link manipulator"
 };
 
+/// What to print instead of a piece of a claim's quote.
+struct Correction {
+  std::string claim;          ///< its id
+  Printed print;              ///< what the claim would print then: its own check has to confirm it
+  std::string printed, read;  ///< the paper's words, and those to read for them, made of `print`
+};
+
+/// A sentence, and the ids of the claims and facts that hold it: it is printed where all of them are
+/// confirmed.
+struct Sentence {
+  std::string text;
+  std::vector<std::string> held_by;
+};
+
+/// Something that does or does not depend on an erratum: an id and what a reader calls it.
+struct Named {
+  std::string id, name;
+};
+
 /// What several claims have wrong together, to be corrected once.
-struct Cause {
+struct Erratum {
   std::string id, title;
-  std::string correction;              ///< what to print instead, in one sentence
-  std::string effect;                  ///< on the paper's results, in one sentence
-  std::vector<std::string> unchanged;  ///< ids of claims that do not depend on it; that they hold is computed
+  std::vector<Correction> corrections;
+  std::vector<Sentence> reason;
+  std::vector<Named> stands;   ///< claims that hold all the same
+  std::vector<Named> changes;  ///< printed results that do not
+  bool remark = false;         ///< worth no correction of its own
 };
 
 struct Paper {
+  std::string title, authors, journal, doi, preprint;
+  std::string read;  ///< what was read of it
   std::vector<PaperSection> sections;
-  std::vector<Claim> claims;  ///< in the order of the paper, without their checks
-  std::vector<Cause> causes;
+  std::vector<Premise> premises;
+  std::vector<Claim> claims;  ///< in the order of the paper, without the checks that are functions of ours
+  std::vector<Claim> facts;   ///< not the paper's: what the reasons of the errata rest on
+  std::vector<Erratum> errata;
+
+  /// The premises of these ids. \throws Error at one that there is not
+  [[nodiscard]] Premises given(const std::vector<std::string>& ids) const;
+  /// The claim or fact of that id. \throws Error where there is none
+  [[nodiscard]] const Claim& claim(const std::string& id) const;
+  /// The title of a section; empty for what is none.
+  [[nodiscard]] std::string section_title(const std::string& number) const;
+  /// "A. Author, B. Author, Title, Journal 1 (2000) 1."
+  [[nodiscard]] std::string reference() const;
 };
 
-/// Read once.
+/// The text of a file of the folder by its name; nothing where there is none.
+using PaperFiles = std::function<std::optional<std::string>(const std::string& name)>;
+
 /// \throws Error that names the file and the line
+Paper read_paper(const PaperFiles& files);
+
+/// A folder of the user's.
+/// \throws Error that names the file and the line
+Paper read_paper_folder(const std::string& folder);
+
+/// The paper that the program was made for. Read once.
 const Paper& paper();
 
-/// What a claim's passage prints.
+/// What a claim's passage of it prints.
 /// \throws Error for an unknown id
 const Printed& printed_in_paper(const std::string& id);
-
-/// The title of a section of the paper; empty for what is none.
-std::string section_title(const std::string& number);
 
 }  // namespace plumbline::verify

@@ -4,13 +4,15 @@
 
 #include <plumbline/straight/buckling_mode.hpp>
 
-#include "support/files/sha256.hpp"
-#include "proofs/exact/decimal.hpp"
 #include "proofs/certificates/equilibria_certificate.hpp"
-#include "proofs/exact/exactly.hpp"
 #include "proofs/certificates/path_certificate.hpp"
+#include "proofs/certificates/structure_certificate.hpp"
+#include "proofs/exact/decimal.hpp"
+#include "proofs/exact/exactly.hpp"
 #include "proofs/exact/working_precision.hpp"
+#include "support/files/sha256.hpp"
 #include "verify/reference/loaded.hpp"
+#include "verify/reference/structures.hpp"
 #include "verify/reference/texts.hpp"
 
 namespace plumbline::verify {
@@ -135,7 +137,8 @@ ReferenceEntry reference_entry(const ReferenceChain& reference) {
 }
 
 std::vector<NamedText> reference_files(const std::vector<ReferenceEntry>& entries,
-                                       const LoadedEntries& loaded, const proofs::Provenance& provenance) {
+                                       const LoadedEntries& loaded, const StructureEntries& structures,
+                                       const proofs::Provenance& provenance) {
   std::vector<json> chains, certificates;
   for (const auto& e : entries) {
     chains.push_back(to_json(e));
@@ -166,6 +169,12 @@ std::vector<NamedText> reference_files(const std::vector<ReferenceEntry>& entrie
       {"equilibria-certificate.schema.json", equilibria_certificate_schema_text},
       {"path-certificates.json", certificate_text(proofs::path_certificates, loaded.paths)},
       {"path-certificate.schema.json", path_certificate_schema_text},
+      {"structures.csv", structures_csv(structures.structures)},
+      {"structures.json", json_text("structures", reference_digits, "structures", structures.structures)},
+      {"structures.schema.json", structures_schema_text},
+      {"structure-certificates.json",
+       certificate_text(proofs::structure_certificates, structures.certificates)},
+      {"structure-certificate.schema.json", structure_certificate_schema_text},
       {"README.md", reference_readme_text},
   };
   files.push_back({"datapackage.json", data_package(files, provenance).dump(2) + "\n"});

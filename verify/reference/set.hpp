@@ -40,8 +40,14 @@ struct LoadedEntries {
   std::vector<nlohmann::json> paths;         ///< certificates
 };
 
+/// What is published about chains with other ends and loads: structures.hpp.
+struct StructureEntries {
+  std::vector<nlohmann::json> structures, certificates;
+};
+
 /// All files of the set, README.md and datapackage.json among them.
 std::vector<NamedText> reference_files(const std::vector<ReferenceEntry>& entries,
-                                       const LoadedEntries& loaded, const proofs::Provenance& provenance);
+                                       const LoadedEntries& loaded, const StructureEntries& structures,
+                                       const proofs::Provenance& provenance);
 
 }  // namespace plumbline::verify

@@ -14,6 +14,9 @@ struct Set {
   ReferenceWish wish;
   std::vector<ReferenceChain> chains;
   std::vector<LoadedCase> cases;
+  std::vector<StructureCase> structures;
+
+  [[nodiscard]] std::size_t size() const { return chains.size() + cases.size() + structures.size(); }
 };
 
 /// The last that was asked for; every item of a work asks for the same.
@@ -22,7 +25,8 @@ std::shared_ptr<const Set> set_of(const ReferenceWish& wish) {
   static std::shared_ptr<const Set> last;
   const std::scoped_lock lock(making);
   if (!last || last->wish != wish)
-    last = std::make_shared<Set>(Set{wish, reference_chains(wish), loaded_cases(wish.size, wish.seed)});
+    last = std::make_shared<Set>(Set{wish, reference_chains(wish), loaded_cases(wish.size, wish.seed),
+                                     structure_cases(wish.size, wish.seed)});
   return last;
 }
 
@@ -66,9 +70,11 @@ std::string result_of(const std::string& item) {
   const bool compact = told["compact"];
   const auto set =
       set_of({compact ? ReferenceSize::compact : ReferenceSize::full, told["seed"], told["random"]});
-  const std::size_t number = told["chain"];
-  return number < set->chains.size() ? as_json(reference_entry(set->chains[number])).dump()
-                                     : loaded_result(set->cases[number - set->chains.size()]).dump();
+  const std::size_t number = told["chain"], chains = set->chains.size(), cases = set->cases.size();
+  if (number < chains) return as_json(reference_entry(set->chains[number])).dump();
+  if (number < chains + cases) return loaded_result(set->cases[number - chains]).dump();
+  const StructureEntry found = structure_entry(set->structures[number - chains - cases]);
+  return json{{"structure", found.entry}, {"certificate", found.certificate}}.dump();
 }
 
 }  // namespace
@@ -79,7 +85,7 @@ const work::Task reference_task{"reference", result_of, false};
 work::WorkList reference_work(const ReferenceWish& wish) {
   const auto set = set_of(wish);
   work::WorkList list{reference_task, {}};
-  for (std::size_t number = 0; number < set->chains.size() + set->cases.size(); ++number)
+  for (std::size_t number = 0; number < set->size(); ++number)
     list.items.push_back(json{
         {"compact", wish.size == ReferenceSize::compact},
         {"seed", wish.seed},
@@ -92,10 +98,15 @@ ReferenceValues reference_values(const ReferenceWish& wish, const std::vector<st
   const auto set = set_of(wish);
   ReferenceValues values;
   for (std::size_t i = 0; i < results.size(); ++i) {
-    if (i < set->chains.size())
-      values.entries.push_back(entry_from(set->chains[i], json::parse(results[i])));
-    else
-      take(json::parse(results[i]), values.loaded);
+    json result = json::parse(results[i]);
+    if (i < set->chains.size()) {
+      values.entries.push_back(entry_from(set->chains[i], std::move(result)));
+    } else if (i < set->chains.size() + set->cases.size()) {
+      take(std::move(result), values.loaded);
+    } else {
+      values.structures.structures.push_back(std::move(result["structure"]));
+      values.structures.certificates.push_back(std::move(result["certificate"]));
+    }
   }
   return values;
 }

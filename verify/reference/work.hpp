@@ -2,9 +2,10 @@
 /// \file
 /// The reference values as work that many share.
 
+#include "support/work/work_list.hpp"
 #include "verify/reference/loaded.hpp"
 #include "verify/reference/set.hpp"
-#include "support/work/work_list.hpp"
+#include "verify/reference/structures.hpp"
 
 namespace plumbline::verify {
 
@@ -17,6 +18,7 @@ work::WorkList reference_work(const ReferenceWish& wish);
 struct ReferenceValues {
   std::vector<ReferenceEntry> entries;
   LoadedEntries loaded;
+  StructureEntries structures;
 };
 
 /// \param results  of the items of this work, in their order

@@ -1,7 +1,8 @@
 #pragma once
 /// \file
-/// The errata of the paper: claims that are not confirmed, those of one cause together, the gravest first.
+/// The errata of a paper, each held by checks: what errata.toml says, less what is not so.
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -10,23 +11,34 @@
 
 namespace plumbline::verify {
 
-struct Erratum {
-  Cause cause;                    ///< its id and, where paper.hpp has it, title, correction and effect
-  Severity severity;              ///< of the gravest of its claims
-  std::vector<Judged> claims;     ///< in the order of the paper
-  std::vector<Judged> unchanged;  ///< what does not depend on it, as judged; only what is among those judged
+struct JudgedErratum {
+  Erratum erratum;                    ///< what of it holds: nothing else is to be printed
+  Severity severity;                  ///< by what it changes
+  std::vector<Judged> claims;         ///< not confirmed for this reason, in the order of the paper
+  std::vector<std::string> problems;  ///< what it says and nothing holds, with the reason
 };
 
-/// By severity, then in the order of the paper.
-std::vector<Erratum> errata(const std::vector<Judged>& judged);
+struct Errata {
+  std::vector<JudgedErratum> items;  ///< the gravest first, remarks last
+  std::vector<Judged> open;          ///< claims that are not confirmed and belong to none: conventions
 
-/// "30 errata: 12 change a result, 1 a number, 9 the wording, 8 a convention".
-std::string count_of(const std::vector<Erratum>& errata);
+  /// Of all items. Empty where everything that is said holds.
+  [[nodiscard]] std::vector<std::string> problems() const;
+};
 
-/// The errata as a document to send: by severity, each with place, print, truth, evidence and effect on the
-/// paper's results.
-std::string errata_as_markdown(const std::vector<Judged>& judged);
-/// The same for LaTeX: a whole document, for any engine.
-std::string errata_as_latex(const std::vector<Judged>& judged);
+/// The errata that have a claim among those judged. A correction has to be confirmed by its claim's own
+/// check; a sentence is held by the claims and facts that it names, which are judged here where they were not
+/// yet, and each number with a point in it by one of their prints; what is said to stand has to be confirmed,
+/// what is said to change not. \param paper  with its checks
+Errata errata(const Paper& paper, const std::vector<Judged>& judged);
+
+/// "14 errata: 6 of a formula or number, 8 of a statement; 5 remarks; 20 more claims fix a convention or lack
+/// a condition".
+std::string count_of(const Errata& errata);
+
+/// The errata as a document to send, in Markdown and in LaTeX.
+std::string errata_as_markdown(const Paper& paper, const std::vector<Judged>& judged);
+/// A whole document, for any engine.
+std::string errata_as_latex(const Paper& paper, const std::vector<Judged>& judged);
 
 }  // namespace plumbline::verify

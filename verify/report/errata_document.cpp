@@ -1,177 +1,168 @@
 /// \file
-/// The errata as a document, in Markdown and in LaTeX.
+/// The errata as a document to send, in Markdown and in LaTeX.
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
-#include <cctype>
+#include <regex>
+#include <set>
+#include <sstream>
 
 #include "verify/report/errata.hpp"
-#include "verify/report/latex.hpp"
+#include "verify/report/markup.hpp"
 
 namespace plumbline::verify {
 namespace {
 
-constexpr const char* paper_reference =
-    "W. Zhao, A. Klimchik, A. Pashkevich, D. Chablat, Non-linear stiffness behavior of planar serial robotic "
-    "manipulators, Mechanism and Machine Theory 172 (2022) 104783, doi:10.1016/j.mechmachtheory.2022.104783, "
-    "hal-03578506";
-
 /// How a document is marked up.
 struct Markup {
-  std::string (*text)(const std::string&);  ///< plain text, escaped
-  std::string (*strong)(const std::string&);
-  const char *title, *heading, *erratum, *item;  ///< formats of one line each
-  const char *items, *items_end, *begin, *end;
+  std::string (*text)(const std::string&);
+  const char *title, *heading, *item, *paragraph, *emphasis;  ///< formats
+  const char *begin, *end;
 };
 
-std::string strong_markdown(const std::string& text) {
-  return "**" + text + "**";
-}
-
-/// Markdown's own marks as they are.
-std::string markdown(const std::string& text) {
-  std::string escaped;
-  for (const char c : text) {
-    if (std::string_view("*_`|<>").find(c) != std::string_view::npos) escaped += '\\';
-    escaped += c;
-  }
-  return escaped;
-}
-
-std::string strong_latex(const std::string& text) {
-  return "\\textbf{" + text + "}";
-}
-
-const Markup in_markdown{
-    markdown, strong_markdown, "# {}\n\n", "## {}\n\n", "### {}. {}\n\n", "- {}\n", "", "\n", "", ""};
+const Markup in_markdown{as_markdown, "# {}\n\n", "## {}\n\n", "**{}. {}** ", "{}\n\n", "*{}*", "", ""};
 const Markup in_latex{as_latex,
-                      strong_latex,
                       "\\section*{{{}}}\n",
                       "\\subsection*{{{}}}\n",
-                      "\\paragraph{{{}. {}}}~\n",
-                      "\\item {}\n",
-                      "\\begin{itemize}\n",
-                      "\\end{itemize}\n",
-                      "\\documentclass[a4paper]{article}\n\\usepackage[margin=28mm]{geometry}\n"
-                      "\\renewcommand\\labelitemi{$\\bullet$}\n\\frenchspacing\\emergencystretch=3em\n"
-                      "\\begin{document}\n",
+                      "\\paragraph{{{}. {}}} ",
+                      "{}\n\n",
+                      "\\emph{{{}}}",
+                      "\\documentclass[a4paper]{article}\n\\usepackage[margin=25mm]{geometry}\n"
+                      "\\usepackage{amsmath}\n\\frenchspacing\\emergencystretch=3em\n\\begin{document}\n",
                       "\\end{document}\n"};
 
-/// A place in the paper, such as "2, (6)", as a reader looks for it.
-std::string place(const std::string& where) {
-  return (std::isdigit(static_cast<unsigned char>(where[0])) != 0 ? "Section " : "") + where;
+/// "a, b and c".
+std::string enumerated(const std::vector<std::string>& names) {
+  if (names.size() < 2) return fmt::format("{}", fmt::join(names, ""));
+  return fmt::format("{} and {}", fmt::join(names.begin(), names.end() - 1, ", "), names.back());
 }
 
-/// All places of a claim.
-std::string places(const Claim& claim) {
-  std::string all = place(claim.where);
-  for (const std::string& other : claim.also) all += "; " + place(other);
-  return all;
-}
-
-/// The first words, as many as about two lines hold.
-std::string two_lines(const std::string& text) {
-  constexpr std::size_t most = 300;
-  if (text.size() <= most) return text;
-  return text.substr(0, text.rfind(' ', most)) + " …";
-}
-
-std::string heading(Severity severity) {
-  static constexpr std::array<const char*, 4> headings{"What changes a result", "What changes a number",
-                                                       "What changes the wording",
-                                                       "What fixes a convention, or a name"};
-  return headings.at(static_cast<std::size_t>(severity));
-}
-
-std::string title(const Erratum& erratum) {
-  const Claim& first = erratum.claims.front().claim;
-  return erratum.cause.title.empty() ? place(first.where) + ": " + first.reading : erratum.cause.title;
-}
-
-/// Neighbours with the same words in the same place and the same truth together.
-std::vector<std::vector<Judged>> of_one_passage(const std::vector<Judged>& claims) {
-  std::vector<std::vector<Judged>> groups;
-  for (const Judged& one : claims) {
-    const auto same = [&](const Judged& other) {
-      return other.claim.where == one.claim.where && other.claim.quote == one.claim.quote &&
-             other.judgement->truth == one.judgement->truth;
-    };
-    if (groups.empty() || !same(groups.back().front())) groups.emplace_back();
-    groups.back().push_back(one);
+/// "(1) to (3), (5)" of numbers.
+std::string ranges(const std::set<int>& numbers, const std::string& form) {
+  std::vector<std::string> parts;
+  for (auto first = numbers.begin(); first != numbers.end();) {
+    auto last = first;
+    while (std::next(last) != numbers.end() && *std::next(last) == *last + 1) ++last;
+    const std::string from = fmt::format(fmt::runtime(form), *first),
+                      to = fmt::format(fmt::runtime(form), *last);
+    parts.push_back(first == last ? from : from + (*last == *first + 1 ? ", " : " to ") + to);
+    first = std::next(last);
   }
-  return groups;
+  return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-/// The strongest evidence of the gravest claim.
-std::string evidence(const Erratum& erratum) {
-  const auto grave = std::find_if(erratum.claims.begin(), erratum.claims.end(), [&](const Judged& one) {
-    return severity(one.claim, one.judgement->verdict) == erratum.severity;
-  });
-  const Evidence& best = grave->judgement->evidence.front();
-  const std::string coq = best.coq.empty() ? "" : fmt::format(" ({})", fmt::join(best.coq, ", "));
-  return fmt::format("{}{}{}: {}", name(best.kind), best.theorem.empty() ? "" : " “" + best.theorem + "”",
-                     coq, two_lines(best.detail));
-}
-
-/// What does not depend on the erratum, by verdict: it is said to stand only where it was found to.
-std::string unchanged(const Erratum& erratum) {
-  std::vector<std::string> hold, others;
-  for (const Judged& one : erratum.unchanged) {
-    const bool confirmed = one.judgement && one.judgement->verdict == Verdict::confirmed;
-    (confirmed ? hold : others).push_back(place(one.claim.where));
-  }
-  for (auto* list : {&hold, &others}) list->erase(std::unique(list->begin(), list->end()), list->end());
-  std::string text;
-  if (!hold.empty()) text += fmt::format(" Confirmed as printed: {}.", fmt::join(hold, "; "));
-  if (!others.empty()) text += fmt::format(" Not confirmed: {}.", fmt::join(others, "; "));
-  return text;
-}
-
-std::string document(const std::vector<Judged>& judged, const Markup& m) {
-  const std::vector<Erratum> list = errata(judged);
-  std::string all =
-      m.begin + fmt::format(fmt::runtime(m.title), "Errata") + m.text(paper_reference) + ".\n\n" +
-      m.text(fmt::format("{} claims were judged. {}. Places are section, equation, figure and table: the "
-                         "text that was read has no page numbers.",
-                         judged.size(), count_of(list))) +
-      "\n\n";
-  std::optional<Severity> before;
-  std::size_t number = 0;
-  for (const Erratum& erratum : list) {
-    if (before != erratum.severity)
-      all += fmt::format(fmt::runtime(m.heading), m.text(heading(erratum.severity)));
-    before = erratum.severity;
-    all += fmt::format(fmt::runtime(m.erratum), ++number, m.text(title(erratum))) + m.items;
-    const auto item = [&](const std::string& label, const std::string& text) {
-      all += fmt::format(fmt::runtime(m.item), m.strong(m.text(label)) + " " + m.text(text));
-    };
-    for (const std::vector<Judged>& same : of_one_passage(erratum.claims)) {
-      const Judged& one = same.front();
-      std::vector<std::string> ids;
-      for (const Judged& claim : same) ids.push_back(claim.claim.id);
-      item(places(one.claim) + ":", fmt::format("printed “{}”; true: {} [{}]", one.claim.quote,
-                                                one.judgement->truth, fmt::join(ids, ", ")));
+/// Numbers of what a claim is about, by a pattern in its place: "(12)", "Fig. 5", "(31) to (33)"; what stands
+/// before or after something is not about it.
+std::set<int> numbers_in(const std::string& where, const std::regex& pattern) {
+  std::set<int> found;
+  std::istringstream parts(where);
+  for (std::string part; std::getline(parts, part, ',');) {
+    if (part.find("before") != std::string::npos || part.find("after") != std::string::npos) continue;
+    for (std::sregex_iterator one(part.begin(), part.end(), pattern), end; one != end; ++one) {
+      const int first = std::stoi((*one)[1]), last = (*one)[2].length() > 0 ? std::stoi((*one)[2]) : first;
+      for (int number = first; number <= last; ++number) found.insert(number);
     }
-    if (!erratum.cause.correction.empty()) item("Correction:", erratum.cause.correction);
-    item("Evidence,", evidence(erratum));
-    const std::string effect = erratum.cause.effect + unchanged(erratum);
-    if (!effect.empty()) item("Effect:", effect);
-    all += m.items_end;
   }
+  return found;
+}
+
+/// Things with numbers that claims are about.
+struct Numbered {
+  const char* name;
+  std::regex number;
+  const char* form;
+};
+
+/// What is confirmed in all that was judged about it: equations, tables and figures, by name.
+std::string confirmed_by_name(const std::vector<Judged>& judged) {
+  static const std::vector<Numbered> kinds{
+      {"Equations", std::regex(R"((?:^|[ ,])\((\d+)\)(?: to \((\d+)\))?)"), "({})"},
+      {"Tables", std::regex(R"(Table (\d+)()?)"), "{}"},
+      {"Figures, as far as the text says what they show,", std::regex(R"(Fig\. (\d+)()?)"), "{}"}};
+  std::vector<std::string> parts;
+  for (const Numbered& kind : kinds) {
+    std::set<int> about, wrong;
+    for (const Judged& one : judged) {
+      const std::string where = one.claim.where.substr(one.claim.where.find(',') + 1);
+      const std::set<int> numbers = numbers_in(where, kind.number);
+      about.insert(numbers.begin(), numbers.end());
+      const bool right = one.judgement && (one.judgement->verdict == Verdict::confirmed ||
+                                           one.judgement->verdict == Verdict::convention);
+      if (!right) wrong.insert(numbers.begin(), numbers.end());
+    }
+    std::set<int> whole;
+    std::set_difference(about.begin(), about.end(), wrong.begin(), wrong.end(),
+                        std::inserter(whole, whole.end()));
+    if (!whole.empty()) parts.push_back(fmt::format("{} {}", kind.name, ranges(whole, kind.form)));
+  }
+  return fmt::format("{}.", fmt::join(parts, ". "));
+}
+
+std::string correction_text(const Correction& one, const Markup& m) {
+  return fmt::format("{} {} {} {}.", fmt::format(fmt::runtime(m.emphasis), "For"),
+                     m.text("“" + one.printed + "”"), fmt::format(fmt::runtime(m.emphasis), "read"),
+                     m.text("“" + one.read + "”"));
+}
+
+std::string names_of(const std::vector<Named>& list) {
+  std::vector<std::string> names;
+  for (const Named& one : list) names.push_back(one.name);
+  return enumerated(names);
+}
+
+std::string item(const JudgedErratum& judged, const std::string& number, const Markup& m) {
+  const Erratum& one = judged.erratum;
+  std::string text = fmt::format(fmt::runtime(m.item), number, m.text(one.title));
+  std::vector<std::string> parts;
+  for (const Correction& each : one.corrections) {  // what two places print alike is said once
+    const std::string correction = correction_text(each, m);
+    if (std::find(parts.begin(), parts.end(), correction) == parts.end()) parts.push_back(correction);
+  }
+  for (const Sentence& each : one.reason) parts.push_back(m.text(each.text));
+  const auto effect = [&](const std::string& what, const std::vector<Named>& on) {
+    if (!on.empty())
+      parts.push_back(fmt::format(fmt::runtime(m.emphasis), what) + " " + m.text(names_of(on) + "."));
+  };
+  effect("Changed:", one.changes);
+  effect("Unchanged:", one.stands);
+  return fmt::format(fmt::runtime(m.paragraph), text + fmt::format("{}", fmt::join(parts, " ")));
+}
+
+std::string document(const Paper& paper, const std::vector<Judged>& judged, const Markup& m) {
+  const Errata list = errata(paper, judged);
+  const auto count = [&](Verdict verdict) {
+    return std::count_if(judged.begin(), judged.end(), [&](const Judged& one) {
+      return one.judgement && one.judgement->verdict == verdict;
+    });
+  };
+  const auto paragraph = [&](const std::string& text) {
+    return fmt::format(fmt::runtime(m.paragraph), m.text(text));
+  };
+  std::string all = m.begin + fmt::format(fmt::runtime(m.title), "Errata");
+  all += paragraph(paper.reference() + (paper.doi.empty() ? "." : ", doi:" + paper.doi + "."));
+  all += paragraph(fmt::format("What was read is {}. Of {} claims {} are confirmed as printed.", paper.read,
+                               judged.size(), count(Verdict::confirmed)));
+  std::size_t number = 0, remark = 0;
+  bool remarks = false;
+  for (const JudgedErratum& one : list.items) {
+    if (one.erratum.remark && !remarks) all += fmt::format(fmt::runtime(m.heading), "Remarks");
+    remarks = remarks || one.erratum.remark;
+    all += item(one, one.erratum.remark ? fmt::format("R{}", ++remark) : fmt::format("E{}", ++number), m);
+  }
+  all += fmt::format(fmt::runtime(m.heading), "Confirmed") + paragraph(confirmed_by_name(judged));
   return all + m.end;
 }
 
 }  // namespace
 
-std::string errata_as_markdown(const std::vector<Judged>& judged) {
-  return document(judged, in_markdown);
+std::string errata_as_markdown(const Paper& paper, const std::vector<Judged>& judged) {
+  return document(paper, judged, in_markdown);
 }
 
-std::string errata_as_latex(const std::vector<Judged>& judged) {
-  return document(judged, in_latex);
+std::string errata_as_latex(const Paper& paper, const std::vector<Judged>& judged) {
+  return document(paper, judged, in_latex);
 }
 
 }  // namespace plumbline::verify

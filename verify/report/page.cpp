@@ -5,8 +5,8 @@
 
 #include "support/page/formula.hpp"
 #include "support/page/markup.hpp"
-#include "verify/paper/paper.hpp"
 #include "verify/report/errata.hpp"
+#include "verify/report/markup.hpp"
 #include "verify/report/page_texts.hpp"
 #include "verify/report/report.hpp"
 
@@ -47,7 +47,9 @@ Json formulas(const Printed& printed) {
 }
 
 /// One claim of the report, with what its card shows besides.
-Json card(const Json& report, const Claim& claim) {
+Json card(const Json& report, const Judged& judged) {
+  const Claim& claim = judged.claim;
+  const Printed& print = report["favoured"].empty() ? claim.printed : judged.judgement->favoured;
   Json view = report;
   for (const std::string key : {"quote", "truth", "value"}) view["has_" + key] = report[key] != "";
   view["has_evidence"] = !report["evidence"].empty();
@@ -56,8 +58,8 @@ Json card(const Json& report, const Claim& claim) {
   view["charitable"] = claim.charitable;
   view["has_severity"] = !report["severity"].is_null();
   view["has_print"] = !claim.printed.empty();
-  view["print"] = fmt::format("{}", fmt::join(claim.printed, " | "));
-  view["formulas"] = formulas(claim.printed);
+  view["print"] = fmt::format("{}", fmt::join(print, " | "));
+  view["formulas"] = formulas(print);
   view["has_formulas"] = !view["formulas"].empty();
   view["has_check"] = !claim.source.file.empty();
   view["check_line"] = std::to_string(claim.source.line);
@@ -77,7 +79,7 @@ Json card(const Json& report, const Claim& claim) {
   return view;
 }
 
-Json sections(const std::vector<Judged>& judged, const Json& report) {
+Json sections(const Paper& paper, const std::vector<Judged>& judged, const Json& report) {
   Json list = Json::array();
   std::string section;
   for (std::size_t i = 0; i < judged.size(); ++i) {
@@ -86,10 +88,10 @@ Json sections(const std::vector<Judged>& judged, const Json& report) {
       const bool of_paper = std::isdigit(static_cast<unsigned char>(section[0])) != 0;
       list.push_back(
           {{"number", std::to_string(list.size() + 1)},
-           {"heading", of_paper ? section + " " + section_title(section) : "Properties " + section},
+           {"heading", of_paper ? section + " " + paper.section_title(section) : "Properties " + section},
            {"claims", Json::array()}});
     }
-    list.back()["claims"].push_back(card(report[i], judged[i].claim));
+    list.back()["claims"].push_back(card(report[i], judged[i]));
   }
   return list;
 }
@@ -107,21 +109,29 @@ Json counts(const Json& report) {
   return list;
 }
 
-Json corrections(const std::vector<Judged>& judged) {
-  const std::vector<Erratum> found = errata(judged);
+Json corrections(const Paper& paper, const std::vector<Judged>& judged) {
+  const Errata found = errata(paper, judged);
   Json list = Json::array();
-  for (const Erratum& one : found) {
-    Json claims = Json::array();
+  for (const JudgedErratum& one : found.items) {
+    Json claims = Json::array(), pairs = Json::array(), reason = Json::array();
     for (const Judged& j : one.claims) claims.push_back(j.claim.id);
-    list.push_back({{"id", one.cause.id},
-                    {"title", one.cause.title.empty() ? one.claims.front().claim.where : one.cause.title},
-                    {"severity", std::string(name(one.severity))},
+    for (const Correction& each : one.erratum.corrections)
+      pairs.push_back({{"printed", as_plain(each.printed)}, {"read", as_plain(each.read)}});
+    for (const Sentence& each : one.erratum.reason) reason.push_back(as_plain(each.text));
+    list.push_back({{"id", one.erratum.id},
+                    {"title", as_plain(one.erratum.title)},
+                    {"severity", std::string(name(one.severity)) + (one.erratum.remark ? ", a remark" : "")},
                     {"claims", std::move(claims)},
-                    {"has_correction", !one.cause.correction.empty()},
-                    {"correction", one.cause.correction},
-                    {"effect", one.cause.effect}});
+                    {"corrections", std::move(pairs)},
+                    {"reason", std::move(reason)}});
   }
-  return {{"any", !found.empty()}, {"count", count_of(found)}, {"list", std::move(list)}};
+  return {{"any", !found.items.empty()}, {"count", count_of(found)}, {"list", std::move(list)}};
+}
+
+Json reference(const Paper& paper) {
+  return {{"authors", paper.authors},      {"title", paper.title}, {"journal", paper.journal},
+          {"has_doi", !paper.doi.empty()}, {"doi", paper.doi},     {"has_preprint", !paper.preprint.empty()},
+          {"preprint", paper.preprint},    {"read", paper.read}};
 }
 
 Json gallery(const std::vector<DrawnFigure>& figures) {
@@ -140,14 +150,16 @@ Json gallery(const std::vector<DrawnFigure>& figures) {
 
 }  // namespace
 
-std::string as_html(const std::vector<Judged>& judged, const std::vector<DrawnFigure>& figures) {
+std::string as_html(const Paper& paper, const std::vector<Judged>& judged,
+                    const std::vector<DrawnFigure>& figures) {
   const Json report = as_json(judged);
   return page::document("The claims, judged", "Every claim of the paper with its verdict and the evidence",
                         page::filled(claims_template, {{"total", std::to_string(judged.size())},
+                                                       {"paper", reference(paper)},
                                                        {"proofs_checked", proofs_checked()},
                                                        {"counts", counts(report)},
-                                                       {"sections", sections(judged, report)},
-                                                       {"errata", corrections(judged)},
+                                                       {"sections", sections(paper, judged, report)},
+                                                       {"errata", corrections(paper, judged)},
                                                        {"figures", gallery(figures)}}));
 }
 

@@ -10,8 +10,8 @@
 #include <sstream>
 
 #include "proofs/coq/machine_checked.hpp"
-#include "verify/paper/paper.hpp"
 #include "verify/report/errata.hpp"
+#include "verify/report/markup.hpp"
 
 namespace plumbline::verify {
 namespace {
@@ -81,6 +81,12 @@ std::string painted(const std::string& text, const std::string& verdict, bool co
   return colour ? fmt::format("\033[{}m{}\033[0m", codes.at(verdict), text) : text;
 }
 
+/// The print in the reading that was judged.
+const Printed& as_judged(const Judged& judged) {
+  const bool favoured = judged.judgement && !judged.judgement->favoured.empty();
+  return favoured ? judged.judgement->favoured : judged.claim.printed;
+}
+
 std::string bold(const std::string& text, bool colour) {
   return colour ? "\033[1m" + text + "\033[0m" : text;
 }
@@ -106,22 +112,26 @@ std::string summary(const std::vector<Judged>& judged, bool colour) {
   return fmt::format("{} claims: {}\n", judged.size(), parts);
 }
 
-std::string erratum(const Erratum& one, bool colour) {
-  std::string text = fmt::format("  {} ({})\n", bold(one.cause.id, colour), name(one.severity));
-  if (!one.cause.title.empty()) text += wrapped(one.cause.title, 4);
+std::string erratum(const JudgedErratum& one, bool colour) {
+  std::string text = fmt::format("  {} ({}{})\n", bold(one.erratum.id, colour), name(one.severity),
+                                 one.erratum.remark ? ", a remark" : "") +
+                     wrapped(as_plain(one.erratum.title), 4);
+  for (const Correction& correction : one.erratum.corrections)
+    text += wrapped(fmt::format("{}: for “{}” read “{}”", correction.claim, as_plain(correction.printed),
+                                as_plain(correction.read)),
+                    4);
   for (const Judged& judged : one.claims) {
-    const std::string verdict = verdict_of(judged);
-    text += fmt::format("    {} ({}, {})\n", judged.claim.id, judged.claim.where,
-                        painted(verdict, verdict, colour)) +
-            wrapped("printed: “" + judged.claim.quote + "”", 6) +
-            wrapped("true: " + judged.judgement->truth, 6);
+    const auto& corrections = one.erratum.corrections;
+    const bool corrected = std::any_of(corrections.begin(), corrections.end(),
+                                       [&](const Correction& c) { return c.claim == judged.claim.id; });
+    if (!corrected) text += wrapped(judged.claim.id + ": " + judged.judgement->truth, 4);
   }
   return text;
 }
 
-std::string heading(const std::string& section) {
+std::string heading(const Paper& paper, const std::string& section) {
   const bool of_paper = std::isdigit(static_cast<unsigned char>(section[0])) != 0;
-  const std::string title = section_title(section);
+  const std::string title = paper.section_title(section);
   return (of_paper ? "Section " : "Properties ") + section + (title.empty() ? "" : ": " + title);
 }
 
@@ -133,13 +143,13 @@ std::string proofs_checked() {
                      proofs::coq_version());
 }
 
-std::string as_table(const std::vector<Judged>& judged, const Style& style) {
+std::string as_table(const Paper& paper, const std::vector<Judged>& judged, const Style& style) {
   std::string text;
   std::string section;
   for (const Judged& j : judged) {
     if (section_of(j.claim) != section) {
       section = section_of(j.claim);
-      text += (text.empty() ? "" : "\n") + bold(heading(section), style.colour) + "\n";
+      text += (text.empty() ? "" : "\n") + bold(heading(paper, section), style.colour) + "\n";
     }
     text += line(j, style);
   }
@@ -147,10 +157,11 @@ std::string as_table(const std::vector<Judged>& judged, const Style& style) {
   for (const Judged& j : judged) {
     if (!j.judgement) text += fmt::format("  {}: {}\n", j.claim.id, j.problem);
   }
-  const std::vector<Erratum> list = errata(judged);
-  if (list.empty()) return text;
+  const Errata list = errata(paper, judged);
+  for (const std::string& problem : list.problems()) text += "  not held: " + problem + "\n";
+  if (list.items.empty()) return text;
   text += fmt::format("{}\n\n{}\n", count_of(list), bold("Errata", style.colour));
-  for (const Erratum& one : list) text += erratum(one, style.colour);
+  for (const JudgedErratum& one : list.items) text += erratum(one, style.colour);
   return text;
 }
 
@@ -161,7 +172,11 @@ std::string as_detail(const Judged& judged, bool colour) {
   if (!claim.also.empty()) text += wrapped(fmt::format("also: {}", fmt::join(claim.also, "; ")), 2);
   text += wrapped("quote: “" + claim.quote + "”", 2);
   text += wrapped(fmt::format("reading{}: {}", claim.charitable ? ", charitable" : "", claim.reading), 2);
-  text += wrapped(fmt::format("judged as: {}", fmt::join(claim.printed, " | ")), 2);
+  text += wrapped(fmt::format("judged as: {}", fmt::join(as_judged(judged), " | ")), 2);
+  for (const Premise& premise : claim.given.list())
+    text += wrapped(fmt::format("given: “{}”{}", premise.quote,
+                                premise.where.empty() ? ", taken so" : " (" + premise.where + ")"),
+                    2);
   text += "  verdict: " + painted(verdict, verdict, colour) + "\n";
   if (!judged.judgement) return text + wrapped("problem: " + judged.problem, 2);
   if (const auto grave = severity(claim, judged.judgement->verdict))
@@ -198,6 +213,9 @@ nlohmann::ordered_json as_json(const std::vector<Judged>& judged) {
     one["reading"] = j.claim.reading;
     one["charity"] = j.claim.charitable ? "charitable" : "literal";
     one["printed"] = j.claim.printed;
+    one["favoured"] = judgement.favoured;
+    one["given"] = nlohmann::ordered_json::array();
+    for (const Premise& premise : j.claim.given.list()) one["given"].push_back(premise.id);
     one["verdict"] = verdict_of(j);
     one["severity"] =
         grave ? nlohmann::ordered_json(std::string(name(*grave))) : nlohmann::ordered_json(nullptr);

@@ -7,6 +7,7 @@
 
 #include "verify/figures/figures.hpp"
 #include "verify/judging/judge.hpp"
+#include "verify/paper/paper.hpp"
 
 namespace plumbline::verify {
 
@@ -19,12 +20,14 @@ struct Style {
 std::string proofs_checked();
 
 /// A table by section, one line a claim; a summary; then the errata, those of one cause together.
-std::string as_table(const std::vector<Judged>& judged, const Style& style);
+/// \param paper  with its checks
+std::string as_table(const Paper& paper, const std::vector<Judged>& judged, const Style& style);
 
 /// Everything about one claim.
 std::string as_detail(const Judged& judged, bool colour);
 
-/// A list of objects with the keys id, where, quote, reading, charity, printed, verdict, severity and cause
+/// A list of objects with the keys id, where, quote, reading, charity, printed, favoured (the print in the
+/// favourable reading that was judged; empty where literal), given, verdict, severity and cause
 /// (null where there is nothing to correct), truth, evidence (a list of kind, detail, for a theorem its
 /// name and the names of its proofs in Coq), value. A claim that could not be judged has the verdict
 /// "unjudged" and the reason as its truth.
@@ -40,6 +43,7 @@ struct DrawnFigure {
 
 /// A page for people to look at, whole in one file: the claims by section, to be filtered by verdict, each at
 /// the anchor of its id, and the figures.
-std::string as_html(const std::vector<Judged>& judged, const std::vector<DrawnFigure>& figures);
+std::string as_html(const Paper& paper, const std::vector<Judged>& judged,
+                    const std::vector<DrawnFigure>& figures);
 
 }  // namespace plumbline::verify

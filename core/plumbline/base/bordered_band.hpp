@@ -30,7 +30,7 @@ using Band = Eigen::Matrix<Real, B + 1, Eigen::Dynamic>;
 
 /// Number of negative eigenvalues of a symmetric matrix, which is destroyed: Bunch and Parlett's diagonal
 /// pivoting, 1 x 1 and 2 x 2. An exactly singular rest counts as not negative.
-template <Floating Real>
+template <Ordered Real>
 std::size_t negative_eigenvalues(Matrix<Real>& G) {
   using std::abs, std::max;
   std::size_t negative = 0;
@@ -75,12 +75,12 @@ std::size_t negative_eigenvalues(Matrix<Real>& G) {
 
 /// Factors and solves [ T C; R^T D ] with T an n x n symmetric band of half bandwidth B, and p borders: C and
 /// R are n x p, D is p x p. Storage is kept from one use to the next.
-template <Floating Real, int B>
+template <Ordered Real, int B>
 class BorderedBand {
  public:
   BorderedBand() : BorderedBand(default_pivot()) {}
   /// \param smallest_pivot  share of its row below which a pivot of T is enlarged: each elimination step may
-  ///        lose as many digits as that has
+  ///        lose as many digits as that has; 0 for exact numbers, of which only zeros are
   explicit BorderedBand(Real smallest_pivot) : small_(std::move(smallest_pivot)) {}
 
   /// Takes the band; the borders come with border().
@@ -96,7 +96,7 @@ class BorderedBand {
       for (Eigen::Index d = 1; d <= min<Eigen::Index>(B, i); ++d) scale = max(scale, abs(T(d, i - d)));
       if (!(scale > Real(0))) scale = largest(T);
       Real& pivot = L_(0, i);
-      if (!(abs(pivot) >= small_ * scale)) {
+      if (pivot == Real(0) || !(abs(pivot) >= small_ * scale)) {
         const Real shift = pivot < Real(0) ? Real(-scale) : scale;
         shifts_.emplace_back(i, shift);
         pivot += shift;

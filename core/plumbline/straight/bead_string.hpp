@@ -7,7 +7,8 @@
 ///
 ///     g_{i+1} = g_i - F m_i h_i,   h_{i+1} = h_i + r_{i+1} g_{i+1},   h_0 = h_n = 0,
 ///
-/// with m_i = L_i / (z_i z_{i+1}) and r_i = z_i^2 / k_i. That is a string of n - 1 beads of mass m_i, spaced
+/// with m_i = L_i / (z_i z_{i+1}) and r_i = z_i^2 / k_i, where the end point is guided; where it is free,
+/// straight_chain.hpp says with what. That is a string of n - 1 beads of mass m_i, spaced
 /// r_i apart and fixed at both ends: h is its deflection, g its slope, and the critical forces are the
 /// squares of its frequencies. A passive joint is an infinite spacing: it cuts the string and leaves free
 /// ends.
@@ -16,7 +17,7 @@
 #include <plumbline/base/lanes.hpp>
 #include <plumbline/base/scratch.hpp>
 #include <plumbline/base/widest.hpp>
-#include <plumbline/chain/chain.hpp>
+#include <plumbline/straight/straight_chain.hpp>
 #include <span>
 
 namespace plumbline::detail {
@@ -32,6 +33,8 @@ struct StringPiece {
   T largest_mass = {}, largest_spacing = {};  ///< bounds that hold for all pieces
 
   [[nodiscard]] std::size_t size() const { return mass.size(); }
+  /// Of the polynomial whose roots are the critical forces.
+  [[nodiscard]] std::size_t degree() const { return mass.size(); }
   [[nodiscard]] bool free_end() const { return spacing.size() < mass.size(); }
   /// The same at the other end: slope behind the last bead, away from it.
   [[nodiscard]] T end_slope() const { return free_end() ? T(0) : T(T(1) / spacing.back()); }
@@ -72,14 +75,17 @@ template <Number Real>
 class BeadString {
  public:
   /// \throws Error for n = 1 or a mechanism
-  explicit BeadString(const Chain<Real>& chain)
-      : chain_(chain), mass_(mode_count(chain)), spacing_(chain.size()) {
-    if constexpr (std::same_as<Real, double>) {
+  explicit BeadString(const StraightChain<Real>& straight)
+      : chain_(straight.chain), mass_(mode_count(chain_)), spacing_(chain_.size()) {
+    if (straight.end_point == EndPoint::free) {
+      hang_level();
+    } else if constexpr (std::same_as<Real, double>) {
       in_widest([&] { hang_in_lanes(); });
     } else {
       hang();
     }
   }
+  explicit BeadString(const Chain<Real>& chain) : BeadString(StraightChain<Real>(chain)) {}
   BeadString(const BeadString&) = delete;  // pieces look into it
   BeadString& operator=(const BeadString&) = delete;
 
@@ -121,6 +127,19 @@ class BeadString {
       mass_[i] = L[i];
       mass_[i] /= behind;
     }
+    note_all();
+  }
+
+  /// With arms of one.
+  void hang_level() {
+    for (std::size_t i = 0; i < chain_.size(); ++i) {
+      if (i < mass_.size()) mass_[i] = chain_.length()[i];
+      spacing_[i] = chain_.passive_joint(i) ? Real(0) : Real(Real(1) / chain_.stiffness()[i]);
+    }
+    note_all();
+  }
+
+  void note_all() {
     if constexpr (std::floating_point<Real>) {
       for (std::size_t i = 0; i < spacing_.size(); ++i) {
         note(i < mass_.size() ? mass_[i] : Real(1), spacing_[i], !chain_.passive_joint(i));

@@ -94,9 +94,11 @@ std::size_t best_joint(const StringPiece<Real>& string, const Real& F, const Str
 
 /// The shape of one string's mode as joint angles of the whole chain; the rest of the chain is straight.
 template <Floating Real>
-std::vector<Real> joint_angles(const Chain<Real>& chain, const StringPiece<Real>& string, const Real& F) {
+std::vector<Real> joint_angles(const StraightChain<Real>& straight, const StringPiece<Real>& string,
+                               const Real& F) {
   using std::ldexp;
-  const std::vector<Real> z = distance_to_end(chain);
+  const Chain<Real>& chain = straight.chain;
+  const std::vector<Real> z = straight.arms();
   const auto left = run_rightwards(string, F), right = run_leftwards(string, F);
   const std::size_t joint = best_joint(string, F, left, right);
   const auto joined = [&](const StringRun<Real>& run, const std::vector<Real>& values, std::size_t i) {
@@ -117,13 +119,16 @@ std::vector<Real> joint_angles(const Chain<Real>& chain, const StringPiece<Real>
 }
 
 /// Mode of one string: (q, F_y) of norm 1, the first joint that turns at all turns to the positive side.
-/// Since S_0^T q = 0 (30), the first equation of (29) is F_y = -k_1 q_1 / z_1.
+/// Since S_0^T q = 0 (30), the first equation of (29) is F_y = -k_1 q_1 / z_1; nothing holds a free end
+/// point across.
 template <Floating Real>
-Mode<Real> mode_of(const Chain<Real>& chain, const StringPiece<Real>& string, const Real& force) {
+Mode<Real> mode_of(const StraightChain<Real>& straight, const StringPiece<Real>& string, const Real& force) {
   using std::abs;
   using std::sqrt;
-  std::vector<Real> q = joint_angles(chain, string, force);
-  Real fy = -(chain.stiffness()[0] / distance_to_end(chain)[0] * q[0]);
+  const Chain<Real>& chain = straight.chain;
+  std::vector<Real> q = joint_angles(straight, string, force);
+  Real fy(0);
+  if (straight.end_point == EndPoint::guided) fy = -(chain.stiffness()[0] / distance_to_end(chain)[0] * q[0]);
   Real largest = abs(fy), squares(0);
   for (const Real& angle : q) largest = std::max(largest, Real(abs(angle)));
   for (const Real& angle : q) squares += (angle / largest) * (angle / largest);
@@ -160,19 +165,20 @@ Mode<Real> buckling_mode(const Chain<Real>& chain, const Real& force) {
     return Real(abs(at.f[0] / at.f[1]));
   };
   const bool second = pieces.size() > 1 && newton(pieces[1]) < newton(pieces[0]);
-  return detail::mode_of(chain, pieces[second ? 1 : 0], force);
+  return detail::mode_of(StraightChain<Real>(chain), pieces[second ? 1 : 0], force);
 }
 
 /// The lowest critical forces with their shapes, ascending: `lowest` of them, or all n - 1. Critical forces
 /// that tie across an interior passive joint come with independent shapes.
 /// \throws Error for n = 1 or a mechanism
 template <Floating Real>
-std::vector<Mode<Real>> critical_modes(const Chain<Real>& chain, std::size_t lowest) {
+std::vector<Mode<Real>> critical_modes(const StraightChain<Real>& chain, std::size_t lowest) {
   const detail::BeadString<Real> string(chain);
   std::vector<Mode<Real>> modes;
   if constexpr (std::same_as<Real, double>) {
     if (!string.in_range()) {
-      for (const auto& mode : critical_modes(detail::widened(chain), lowest))
+      const Chain<long double> wide = detail::widened(chain.chain);
+      for (const auto& mode : critical_modes(StraightChain<long double>(wide, chain.end_point), lowest))
         modes.push_back(detail::in_double(mode));
       return modes;
     }
@@ -186,6 +192,11 @@ std::vector<Mode<Real>> critical_modes(const Chain<Real>& chain, std::size_t low
                    [](const auto& a, const auto& b) { return a.force < b.force; });
   modes.resize(std::min(lowest, modes.size()));
   return modes;
+}
+/// The same with the end point guided.
+template <Floating Real>
+std::vector<Mode<Real>> critical_modes(const Chain<Real>& chain, std::size_t lowest) {
+  return critical_modes(StraightChain<Real>(chain), lowest);
 }
 
 }  // namespace plumbline

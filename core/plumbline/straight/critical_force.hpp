@@ -24,11 +24,16 @@ namespace plumbline {
 /// The number of critical forces below F, each as often as it occurs.
 /// \throws Error for n = 1 or a mechanism
 template <Ordered Real>
-std::size_t count_below(const Chain<Real>& chain, const Real& F) {
+std::size_t count_below(const StraightChain<Real>& chain, const Real& F) {
   const detail::BeadString<Real> string(chain);
   std::size_t count = 0;
   for (const auto& piece : string.pieces()) count += count_below(piece, F);
   return count;
+}
+/// The same with the end point guided.
+template <Ordered Real>
+std::size_t count_below(const Chain<Real>& chain, const Real& F) {
+  return count_below(StraightChain<Real>(chain), F);
 }
 
 namespace detail {
@@ -83,9 +88,10 @@ std::array<Bracket<Real>, 2> split(const Bracket<Real>& bracket, const Sweep<Rea
   return parts;
 }
 
-/// The lowest `wanted` roots of a string, ascending, by bisection down to single roots.
-template <Floating Real>
-std::vector<Real> roots_by_brackets(const StringPiece<Real>& string, std::size_t wanted) {
+/// The lowest `wanted` roots of what is swept, a string or a pencil, ascending, by bisection down to single
+/// roots.
+template <template <class> class Swept, Floating Real>
+std::vector<Real> roots_by_brackets(const Swept<Real>& string, std::size_t wanted) {
   constexpr std::size_t at_once = std::same_as<Real, double> ? 2 * lane_count : 1;
   std::vector<Real> roots(std::min(wanted, string.size()));
   std::vector<Bracket<Real>> open{all_of(string)};
@@ -98,14 +104,14 @@ std::vector<Real> roots_by_brackets(const StringPiece<Real>& string, std::size_t
     const std::size_t first = open.size() - std::min(open.size(), at_once);
     const std::vector<Bracket<Real>> now(open.begin() + static_cast<std::ptrdiff_t>(first), open.end());
     open.resize(first);
-    sweep_all<Real>(string, now, found);
+    sweep_all(string, std::span<const Bracket<Real>>(now), std::span<Sweep<Real, 3>>(found));
     for (std::size_t i = 0; i < now.size(); ++i) {
       Bracket<Real> bracket = now[i];
       if (bracket.single()) {
-        close_in(bracket, found[i], string.size()) ? settle(bracket) : open.push_back(bracket);
+        close_in(bracket, found[i], string.degree()) ? settle(bracket) : open.push_back(bracket);
         continue;
       }
-      for (const auto& part : split(bracket, found[i], string.size())) {
+      for (const auto& part : split(bracket, found[i], string.degree())) {
         if (part.below == part.up_to || part.below >= roots.size()) continue;
         const bool closed = !(part.low < part.next && part.next < part.high);  // down to the last digit
         closed ? settle(part) : open.push_back(part);
@@ -153,7 +159,7 @@ template <Floating Real>
 using RootsOfPieces = std::vector<std::vector<Real>>;
 
 /// Nothing where a chain leaves the range of double on the way.
-inline std::optional<RootsOfPieces<double>> lowest_roots_in_range(const Chain<double>& chain,
+inline std::optional<RootsOfPieces<double>> lowest_roots_in_range(const StraightChain<double>& chain,
                                                                   std::size_t wanted) {
   const BeadString<double> string(chain);
   if (!string.in_range()) return std::nullopt;
@@ -179,10 +185,10 @@ std::optional<Real> refined(const StringPiece<Real>& string, std::size_t index, 
 
 /// Digits of double come first, and a wider type takes a step or two more from there.
 template <Floating Real>
-RootsOfPieces<Real> lowest_roots(const Chain<Real>& chain, std::size_t wanted) {
+RootsOfPieces<Real> lowest_roots(const StraightChain<Real>& chain, std::size_t wanted) {
   RootsOfPieces<double> near;
-  if (const auto narrow = narrowed<double>(chain)) {
-    near = lowest_roots_in_range(*narrow, wanted).value_or(RootsOfPieces<double>());
+  if (const auto narrow = narrowed<double>(chain.chain)) {
+    near = lowest_roots_in_range({*narrow, chain.end_point}, wanted).value_or(RootsOfPieces<double>());
   }
   const BeadString<Real> string(chain);
   RootsOfPieces<Real> result;
@@ -203,10 +209,11 @@ RootsOfPieces<Real> lowest_roots(const Chain<Real>& chain, std::size_t wanted) {
 
 /// Where a chain leaves the range of double, the 15-bit exponents of long double take over.
 template <>
-inline RootsOfPieces<double> lowest_roots(const Chain<double>& chain, std::size_t wanted) {
+inline RootsOfPieces<double> lowest_roots(const StraightChain<double>& chain, std::size_t wanted) {
   if (auto roots = lowest_roots_in_range(chain, wanted)) return *std::move(roots);
   RootsOfPieces<double> result;
-  for (const auto& roots : lowest_roots(widened(chain), wanted)) {
+  const Chain<long double> wide = widened(chain.chain);
+  for (const auto& roots : lowest_roots(StraightChain<long double>(wide, chain.end_point), wanted)) {
     result.emplace_back();
     for (const long double root : roots) result.back().push_back(force_in_double(root));
   }
@@ -218,7 +225,7 @@ inline RootsOfPieces<double> lowest_roots(const Chain<double>& chain, std::size_
 /// The lowest critical force, as critical_forces() gives it.
 /// \throws Error for n = 1, a mechanism, or a force outside the range of the type
 template <Floating Real>
-Real lowest_critical_force(const Chain<Real>& chain) {
+Real lowest_critical_force(const StraightChain<Real>& chain) {
   if constexpr (std::same_as<Real, double>) {
     const detail::BeadString<double> string(chain);
     if (string.in_range()) {
@@ -230,14 +237,19 @@ Real lowest_critical_force(const Chain<Real>& chain) {
   const auto roots = detail::lowest_roots(chain, 1);
   return roots.size() == 1 ? roots[0][0] : std::min(roots[0][0], roots[1][0]);
 }
+/// The same with the end point guided.
+template <Floating Real>
+Real lowest_critical_force(const Chain<Real>& chain) {
+  return lowest_critical_force(StraightChain<Real>(chain));
+}
 
 /// The lowest critical forces, ascending, each as often as it occurs: `lowest` of them, or all n - 1 when
 /// there are not more. The relative error is a few units in the last place, growing no faster than n and in
 /// practice like its square root, whatever the grading.
 /// \throws Error for n = 1, a mechanism, or a force outside the range of the type
 template <Floating Real>
-std::vector<Real> critical_forces(const Chain<Real>& chain, std::size_t lowest) {
-  mode_count(chain);
+std::vector<Real> critical_forces(const StraightChain<Real>& chain, std::size_t lowest) {
+  mode_count(chain.chain);
   std::vector<Real> forces;
   for (const auto& roots : detail::lowest_roots(chain, lowest)) {
     const auto before = static_cast<std::ptrdiff_t>(forces.size());
@@ -246,6 +258,11 @@ std::vector<Real> critical_forces(const Chain<Real>& chain, std::size_t lowest) 
   }
   forces.resize(std::min(lowest, forces.size()));
   return forces;
+}
+/// The same with the end point guided.
+template <Floating Real>
+std::vector<Real> critical_forces(const Chain<Real>& chain, std::size_t lowest) {
+  return critical_forces(StraightChain<Real>(chain), lowest);
 }
 
 }  // namespace plumbline

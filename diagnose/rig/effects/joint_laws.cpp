@@ -170,7 +170,7 @@ InitialGuesses piecewise_guesses(double reach) {
   });
 }
 
-/// Piecewise springs: all joints alike, one joint.
+/// Piecewise springs: a common threshold, one joint.
 std::vector<Effect> piecewise_springs() {
   return {
       {.id = "piecewise_spring",
@@ -205,7 +205,7 @@ std::vector<Effect> piecewise_springs() {
   };
 }
 
-/// Stops: all joints alike, one angle a joint.
+/// Stops: a common angle, one angle a joint.
 std::vector<Effect> stops() {
   return {
       {.id = "joint_stops",

@@ -13,7 +13,7 @@ inline ParameterRange onset_angle(std::string_view name) {
   return {name, "rad", Coordinate::plain, 0.3, 1e-5, 3};
 }
 
-/// k_s, the stiffness of a stop in parallel with a spring. A smoothly stiffening spring imitates a stop that
+/// k_s, the stiffness of a stop in parallel with a spring. A smoothly stiffening spring resembles a stop that
 /// is hardly stiffer than the spring: five of eight such joints on benches of another simulator.
 inline ParameterRange stop_stiffness(double spring) {
   ParameterRange range = one_way("k_s", "N m/rad", 10 * spring, 300 * spring);

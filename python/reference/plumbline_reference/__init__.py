@@ -38,6 +38,18 @@ def chains() -> dict[str, Chain]:
     return {row["chain"]: Chain(row["lengths"].split(";"), row["stiffness"].split(";")) for row in rows("chains.csv")}
 
 
+def factors() -> dict[str, list[str]]:
+    """The critical load factors of chains with other ends and loads, ascending: structures.json says which they are.
+
+    >>> factors()["fixed-free-2"][0][:10]
+    '0.38196601'
+    """
+    found: dict[str, list[str]] = {}
+    for row in rows("structures.csv"):
+        found.setdefault(row["structure"], []).append(row["factor"])
+    return found
+
+
 def forces() -> dict[str, list[str]]:
     """The critical forces by chain, ascending: decimals of 50 digits, all right."""
     found: dict[str, list[str]] = {}

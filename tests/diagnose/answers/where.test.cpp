@@ -261,8 +261,7 @@ TEST_CASE("the joint whose torque is missing is told by measured angles alone, a
   CHECK(locate(forces, declared_noise(forces)).joints.empty());
 
   CHECK(joint_evidence_words(JointEvidence::measured) == "of the measured torque residual");
-  CHECK(joint_evidence_words(JointEvidence::implied_by_fits) ==
-        "of the torque that the explanation adds");
+  CHECK(joint_evidence_words(JointEvidence::implied_by_fits) == "of the torque that the explanation adds");
   CHECK(joint_evidence_words(JointEvidence::implied_by_law) ==
         "probability of being the only joint at fault");
 }

@@ -92,7 +92,7 @@ TEST_CASE("every symbol of a unit has the factor of its source, with its powers"
   CHECK(si_unit(quantity::stiffness).name == "N m/rad");
 }
 
-TEST_CASE("what readings would be in other units, by hand") {
+TEST_CASE("readings converted to other units, by hand") {
   const Experiment experiment = one_reading();
   const std::vector<Conversion> all = conversions(experiment);
   const std::map<std::string, double> forces{
@@ -137,7 +137,7 @@ TEST_CASE("what readings would be in other units, by hand") {
     CHECK(one.remedy == "units.joint_stiffness = \"" + name + "\"");
     CHECK(one.expected == "N m/rad");
   }
-  // What is SI already is asked about in no SI, nor twice.
+  // SI units raise no question about SI, and none twice.
   for (const Conversion& one : all) {
     CHECK(one.looks_like != "m");
     CHECK(one.looks_like != "N");
@@ -148,7 +148,7 @@ TEST_CASE("what readings would be in other units, by hand") {
   }
 }
 
-TEST_CASE("what axes would be laid otherwise, by hand") {
+TEST_CASE("readings converted to other axes, by hand") {
   const Experiment experiment = one_reading();
   const std::vector<Conversion> all = conversions(experiment);
   struct Laid {
@@ -201,7 +201,7 @@ TEST_CASE("what axes would be laid otherwise, by hand") {
         -5);
 }
 
-TEST_CASE("what angles would be written otherwise, by hand: of the readings, of the rest shape, of both") {
+TEST_CASE("joint angles in other conventions, by hand: readings, rest shape, both") {
   const Experiment experiment = one_reading();
   const std::vector<Conversion> all = conversions(experiment);
   const double degree = std::acos(-1.0) / 180;
@@ -260,7 +260,7 @@ TEST_CASE("what angles would be written otherwise, by hand: of the readings, of 
   }
 }
 
-TEST_CASE("lists of the chain from its end on, and what was read in other units than SI") {
+TEST_CASE("chain lists reversed, and readings in units other than SI") {
   Experiment experiment = one_reading();
   std::vector<Conversion> all = conversions(experiment);
   const Experiment springs =

@@ -17,7 +17,7 @@ using namespace plumbline::diagnose::test;
 
 namespace {
 
-/// What the nominal rig gives, pressed and released in so many steps, with noise of the declared size.
+/// Readings of the nominal rig, pressed and released in a number of steps, with noise of the declared size.
 Experiment logged(int steps) {
   Experiment experiment = three_links();
   experiment.noise = {0, 0, 0.1, 0.1, 0.01};
@@ -35,7 +35,7 @@ Experiment logged(int steps) {
 
 }  // namespace
 
-TEST_CASE("an experiment that is short comes back as it is") {
+TEST_CASE("a short experiment is not decimated") {
   const Experiment same = decimated(logged(400));
   CHECK(same.runs[0].readings.size() == 801);
   CHECK(same.runs[0].first_taken(7) == 7);
@@ -81,8 +81,8 @@ TEST_CASE("a few outliers do not move decimated readings") {
 
 namespace {
 
-/// So many readings of a press whose x falls by one, Fx the number of the reading; there alone, or back from
-/// a place on.
+/// A press whose x falls by one a reading and whose Fx is the number of the reading; one way, or back from a
+/// reading on.
 Experiment numbered(std::size_t count, std::size_t turn) {
   Experiment experiment = three_links();
   Run run{"press", Control::end_point, {0.3, -0.5, 0.4}, {}};
@@ -106,7 +106,7 @@ TEST_CASE("which readings are decimated, by hand") {
   for (std::size_t g = 1; g < 400; ++g) CHECK(run.groups.first[g] == 3 * g - 2);
   CHECK(run.groups.first[400] == 1198);
   CHECK(run.groups.first[401] == 1199);
-  // Of 4, 5 and 6: the mean time, the mean command, the middle of what was measured.
+  // Readings 4, 5 and 6: the mean time, the mean command, the median of the measured values.
   const Reading& third = run.readings[2];
   CHECK(third.t == 10);
   CHECK(third.x == -5);
@@ -155,7 +155,7 @@ Experiment cycled(int cycles, int each_way, double jitter = 0) {
 
 }  // namespace
 
-TEST_CASE("a run that turns back by little has four groups from turn to turn, in the mean") {
+TEST_CASE("a run with small reversals has four groups between reversals, on average") {
   // There by so many readings, then 199 times back and there again by fifty of them: 200 segments, so 800
   // groups. Of 500 they would be of 25 readings and more, by the way of a tenth of the extent longer still.
   for (const auto& [there, size] :
@@ -170,7 +170,7 @@ TEST_CASE("a run that turns back by little has four groups from turn to turn, in
       readings[i].y = -3 * readings[i].x;
     }
     const Run few = decimated(experiment).runs[0];
-    // What is between the first reading and the first turn.
+    // The readings between the first one and the first reversal.
     const auto turn = std::find(few.groups.first.begin(), few.groups.first.end(), there);
     REQUIRE(turn != few.groups.first.end());
     CHECK(static_cast<std::size_t>(turn - few.groups.first.begin()) == 1 + (there - 1 + size - 1) / size);
@@ -196,7 +196,7 @@ TEST_CASE("decimated readings have the declared noise and show no gap, however o
   }
 }
 
-TEST_CASE("jitter of a logged position is no turning point, and does not prevent decimation") {
+TEST_CASE("position jitter is not a reversal and does not prevent decimation") {
   const Experiment few = decimated(cycled(1, 5000, 3e-5));
   CHECK(few.runs[0].readings.size() < 600);
   std::size_t unseen = 0;
@@ -204,7 +204,7 @@ TEST_CASE("jitter of a logged position is no turning point, and does not prevent
   CHECK(unseen <= 3);
 }
 
-TEST_CASE("a run that is held does not turn where its logged position is unsteady") {
+TEST_CASE("an unsteady position of a held run is not a reversal") {
   Experiment experiment = cycled(1, 500);
   Run held = experiment.runs[0];
   const Reading far = held.readings[500];
@@ -222,14 +222,14 @@ TEST_CASE("a run that is held does not turn where its logged position is unstead
   CHECK(std::count_if(left.begin(), left.end(), [](const Reading& r) { return std::isnan(r.Fx); }) <= 3);
 }
 
-TEST_CASE("a run that turns at every reading comes back as it is") {
+TEST_CASE("a run that reverses at every reading is not decimated") {
   Experiment experiment = cycled(1, 1000);
   for (std::size_t i = 0; i < experiment.runs[0].readings.size(); i += 2)
     experiment.runs[0].readings[i].x += 1e-3;
   CHECK(decimated(experiment).runs[0].readings.size() == experiment.runs[0].readings.size());
 }
 
-TEST_CASE("of many runs less is left of each: thirty-three of one of thirty, twenty of one of sixty") {
+TEST_CASE("more runs leave fewer readings of each: 33 for 30 runs, 20 for 60") {
   for (const auto& [runs, size] : std::vector<std::pair<std::size_t, std::size_t>>{{30, 10}, {60, 15}}) {
     Experiment many = numbered(300, 300);
     many.runs.resize(runs, many.runs[0]);
@@ -237,7 +237,7 @@ TEST_CASE("of many runs less is left of each: thirty-three of one of thirty, twe
   }
 }
 
-TEST_CASE("what goes along a parabola is drawn onto it, and what is faster on its way as well") {
+TEST_CASE("groups along a parabola lie on it, also where the command is faster") {
   Experiment experiment = numbered(10001, 10001);
   const auto along = [](double x) { return 3 - 2 * x + 0.01 * x * x; };
   for (const bool faster : {false, true}) {
@@ -273,7 +273,7 @@ TEST_CASE("a few readings between two turning points lose their measured values"
   CHECK(unseen == 6);
 }
 
-TEST_CASE("how many readings are left: all of a thousand, of more 500 in all, or forty of a short run") {
+TEST_CASE("readings left: all up to 1000, otherwise 500 in all, at least 40 of a short run") {
   CHECK(decimated(numbered(1000, 1000)).runs[0].readings.size() == 1000);
   // 1001 in 500 groups would be three each as well
   CHECK(decimated(numbered(1001, 1001)).runs[0].groups.size == 3);

@@ -105,7 +105,7 @@ TEST_CASE("a reading in a unit is the double next to its exact value") {
   }
 }
 
-TEST_CASE("units of angle, stiffness and mass have the factors of their sources") {
+TEST_CASE("units of angle, stiffness and mass have the factors of their references") {
   const auto factor = [](const std::string& unit, const Quantity& of) {
     return parse_unit(unit, of, "p").in_si();
   };
@@ -122,7 +122,7 @@ TEST_CASE("units of angle, stiffness and mass have the factors of their sources"
   CHECK(factor("0.25 deg", quantity::angle) == close_to(0.004363323129985824).epsilon(1e-15));
 }
 
-TEST_CASE("a unit of something else is refused with those that would do") {
+TEST_CASE("a unit of another quantity is refused with the list of valid ones") {
   for (const std::string wrong :
        {"N", "m m", "mm/", "/mm", "", "furlong", "mm^0", "mm^x", "-1 mm", "nan m", "mm**m"}) {
     CAPTURE(wrong);
@@ -133,7 +133,7 @@ TEST_CASE("a unit of something else is refused with those that would do") {
   CHECK_THROWS_AS(parse_unit("N m", quantity::stiffness, "p"), Error);  // by radian or by degree?
 }
 
-TEST_CASE("what a lab's logger writes is read as what the format's own file says") {
+TEST_CASE("a logger's file is read like the same data in the native format") {
   const std::string own =
       "t,x,y,Fx,Fy,q1,q2\n0,0.4518,0.0209,0,-0.5,0.4,-0.9\n0.5,0.45,0.0209,-1.25,,0.41,\n";
   const std::vector<Reading> expected = readings("", own);
@@ -194,8 +194,7 @@ TEST_CASE("tabs, bars, blanks and files without a header are read") {
        "0.45,0,0.02,9,-1,0.5\n0.44,2,0.02,9,-2,0.25\n");
 }
 
-TEST_CASE(
-    "absolute angles are told apart, a run says for itself what is different there, time may be missing") {
+TEST_CASE("absolute angles, settings of single runs, and files without time") {
   const std::vector<Reading> angles = readings(
       "[columns]\nq = { column = [\"a\", \"b\"], unit = \"deg\", sign = [1, -1], absolute = true }\n",
       "x,y,a,b\n0.45,0.02,20,40\n0.44,0.02,21,\n");
@@ -241,7 +240,7 @@ csv = { delimiter = ";" }
   CHECK(both.runs[0].rest[1] == -40 * degree);
 }
 
-TEST_CASE("a fault of a lab's file is named with line and key") {
+TEST_CASE("a fault of a lab file is named with line and key") {
   const std::string good = "t,x,y,Fx,Fy\n0,0.45,0.02,-1,0.5\n1,0.44,0.02,-1,0.5\n";
   check_says(fault("csv = { delimiter = \"/\" }", good), {"experiment.toml:6: csv.delimiter", "\"tab\""});
   check_says(fault("csv = { decimal = \"x\" }", good), {"csv.decimal", "x"});

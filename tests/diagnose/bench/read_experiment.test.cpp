@@ -128,7 +128,7 @@ TEST_CASE("a good experiment is read as it stands") {
   CHECK(q2->unit == "rad");
 }
 
-TEST_CASE("stamps of a clock that runs on count from the first reading of all, others as they stand") {
+TEST_CASE("absolute time stamps count from the first reading of all runs") {
   const auto times = [](const std::string& first, const std::string& second, const std::string& third,
                         const std::string& fourth) {
     Files files;
@@ -235,7 +235,7 @@ TEST_CASE("a fault of a sample file is named by its line") {
   CHECK(says(fault({.press = ""}), {"press.csv", "empty"}));
 }
 
-TEST_CASE("what cannot be physical is refused") {
+TEST_CASE("values that cannot be physical are refused") {
   CHECK(says(press_fault("1,0.4500", "1,0.5200"), {"press", "reading 2", "0.52", "0.5 m"}));
   CHECK(says(press_fault("1,0.4500,0.0209", "1,0.0500,0.0209"), {"press", "reading 2", "0.1 m", "folded"}));
   CHECK(says(press_fault("0.4,-0.9\n", "22.9,-51.6\n"), {"press", "joint angles", "radians"}));
@@ -243,7 +243,7 @@ TEST_CASE("what cannot be physical is refused") {
              {"2 measured values", "at least 3"}));
 }
 
-TEST_CASE("two passive joints are a chain while its end point is held, three are a mechanism") {
+TEST_CASE("two passive joints are allowed while the end point is held, three are not") {
   CHECK(toml_fault("[2.0, 1.5]", "[0, 0]").empty());
   std::string toml = replaced(good_toml, "[0.3, 0.2]", "[0.3, 0.1, 0.1]");
   toml = replaced(toml, "[2.0, 1.5]", "[0, 0, 0]");
@@ -252,7 +252,7 @@ TEST_CASE("two passive joints are a chain while its end point is held, three are
   CHECK(says(fault({.toml = toml, .press = press}), {"joint_stiffness", "3 passive joints", "mechanism"}));
 }
 
-TEST_CASE("a folder that is none, and an experiment that is a folder") {
+TEST_CASE("a missing folder, and an experiment.toml that is a folder") {
   const Folder folder;
   CHECK_THROWS_WITH_AS(read_experiment(folder.path() / "nowhere"), doctest::Contains("no such folder"),
                        Error);
@@ -261,7 +261,7 @@ TEST_CASE("a folder that is none, and an experiment that is a folder") {
   CHECK_THROWS_WITH_AS(read_experiment(folder.path()), doctest::Contains("experiment.toml"), Error);
 }
 
-TEST_CASE("a plan is read without anything measured") {
+TEST_CASE("a plan is read without measurements") {
   const Folder folder;
   lay(folder, {.toml = replaced(good_toml, "samples = \"pull.csv\"\n", ""),
                .press = "t,x,y\n0,0.4518,0.0209\n1,0.4500,0.0209\n"});
@@ -274,7 +274,7 @@ TEST_CASE("a plan is read without anything measured") {
   CHECK(bench.runs[1].control == Control::force);
 }
 
-TEST_CASE("a plan passes over what was measured") {
+TEST_CASE("a plan ignores measured columns") {
   const Folder folder;
   lay(folder, {});
   const Experiment bench = read_plan(folder.path());
@@ -283,7 +283,7 @@ TEST_CASE("a plan passes over what was measured") {
   CHECK(bench.runs[1].readings[1].Fx == 0.1);
 }
 
-TEST_CASE("commands alone are no experiment, and a run that measures nothing is no plan") {
+TEST_CASE("an experiment without measurements, and a plan that would measure nothing, are refused") {
   CHECK(
       says(fault({.press = "t,x,y\n0,0.4518,0.0209\n1,0.4500,0.0209\n", .pull = "t,Fx,Fy\n0,0,0\n2,0.1,0\n"}),
            {"press.csv:1", "the header 't,x,y'"}));

@@ -24,7 +24,7 @@ std::string chain_fault(const std::string& toml) {
   return "";
 }
 
-/// What is said of two links with this, from line 4 on.
+/// The nominal chain of two links with this text, from line 4 on.
 std::string fault_beside(const std::string& more) {
   return chain_fault(two_nominal_links + more);
 }
@@ -34,7 +34,7 @@ const std::string law_at_two =
 
 }  // namespace
 
-TEST_CASE("a nominal chain: lengths, springs, and nothing else unless it is said") {
+TEST_CASE("a nominal chain: lengths, springs, and defaults for the rest") {
   const NominalChain chain = chain_of("");
   CHECK(chain.link_length == std::vector{0.3, 0.2});
   CHECK(chain.joint_stiffness == std::vector{2.0, 0.0});
@@ -52,7 +52,7 @@ TEST_CASE("a nominal chain: lengths, springs, and nothing else unless it is said
   CHECK(same.joint_stiffness == chain.joint_stiffness);
 }
 
-TEST_CASE("a nominal chain that cannot be is refused at its key") {
+TEST_CASE("an invalid nominal chain is refused at its key") {
   CHECK(fault_beside("lengths = [0.3, 0.2]\n") ==
         "N:4: nominal.lengths: found both link_length and lengths, expected one of the two, which mean the "
         "same");
@@ -107,7 +107,7 @@ stiffness = 0.125
   CHECK(read.arms == std::vector<FreeLaw::Arm>{{7, 0.125}});
 }
 
-TEST_CASE("a torque law that cannot be is refused at its key") {
+TEST_CASE("an invalid torque law is refused at its key") {
   const auto with = [](const std::string& from, const std::string& to) {
     std::string text = law_at_two;
     return fault_beside(text.replace(text.find(from), from.size(), to));

@@ -48,7 +48,7 @@ const std::string one_source = "the name of a column, or its number from 1";
 
 }  // namespace
 
-TEST_CASE("what holds where nothing is said of the samples") {
+TEST_CASE("defaults of the sample format") {
   const SampleFormat format = standard_format(2);
   CHECK(format.delimiter == ',');
   CHECK(format.decimal == '.');
@@ -136,7 +136,7 @@ q = { column = ["a", 5], unit = "deg", sign = [1, -1], zero = "first", absolute 
   CHECK_FALSE(format_of("[columns]\nq = [1, 2]\n").absolute_angles);
 }
 
-TEST_CASE("a table [columns] that means nothing is refused at its key") {
+TEST_CASE("an invalid table [columns] is refused at its key") {
   CHECK(format_fault("[columns]\nx = 0\n") == "F:2: columns.x: found 0, expected " + one_source);
   CHECK(format_of("[columns]\nx = 1\n").columns[place_x].number == 1);
   CHECK(format_fault("[columns]\nx = \"\"\n") == "F:2: columns.x: found '', expected " + one_source);
@@ -161,7 +161,7 @@ TEST_CASE("a table [columns] that means nothing is refused at its key") {
   CHECK(format_fault("[columns]\nz = 1\n").starts_with("F:2: columns.z: found an unknown key"));
 }
 
-TEST_CASE("lines that are passed over keep the numbers of the others") {
+TEST_CASE("skipped lines count in line numbers") {
   const std::string tables =
       "[csv]\ndelimiter = \"blanks\"\ncomment = \"#\"\nskip_lines = 1\n"
       "skip_after_header = 1\n[columns]\n";
@@ -177,7 +177,7 @@ TEST_CASE("lines that are passed over keep the numbers of the others") {
   CHECK(table.rows[1].fields == std::vector<std::string>{"4", "5", "6"});
 }
 
-TEST_CASE("a table of samples: the mark of spreadsheets, delimiters behind the last column, one length") {
+TEST_CASE("a sample table: byte order mark, trailing delimiters, equal lengths of rows") {
   const SampleFormat plain = standard_format(2);
   const SampleTable table = parse_sample_table("\xEF\xBB\xBFx,y,,\n1,2,,,\n3,,\n", "T", plain);
   CHECK(table.header == std::vector<std::string>{"x", "y"});
@@ -209,7 +209,7 @@ TEST_CASE("a table of samples: the mark of spreadsheets, delimiters behind the l
   CHECK(fault("1,2\n3,4\n", bare) == "T: found no line, expected at least one reading");
 }
 
-TEST_CASE("another delimiter is named where it cuts the header into more columns than there are") {
+TEST_CASE("a better delimiter is suggested") {
   const auto other = [](std::vector<std::string> header, char delimiter) {
     SampleFormat format = standard_format(1);
     format.delimiter = delimiter;
@@ -240,7 +240,7 @@ TEST_CASE("columns are found by their number, by their name, or in the standard 
   CHECK(column_title(numbers, 1) == "column 2");
 }
 
-TEST_CASE("a column that is not there is refused") {
+TEST_CASE("a missing column is refused") {
   const std::string header = "T:1: found the header 'a,b,h', expected ";
   CHECK(sample_fault("", "a,b,h\n1,2,3\n") ==
         header +
@@ -264,7 +264,7 @@ TEST_CASE("a column that is not there is refused") {
         "T:1: found 3 columns, expected a column 4, which F:4: columns.x names");
 }
 
-TEST_CASE("readings: signs, zeros, units, decimal commas, what is missing, and angles against x") {
+TEST_CASE("readings: signs, zeros, units, decimal commas, gaps, and absolute angles") {
   const std::string tables = R"([csv]
 delimiter = ";"
 decimal = ","
@@ -299,7 +299,7 @@ q = { column = ["q1", "q2"], absolute = true }
   CHECK(samples.origins[place_q1 + 1].what == "q2");
 }
 
-TEST_CASE("the first reading of a column that has one is its zero") {
+TEST_CASE("the first present reading of a column is its zero") {
   const Samples samples =
       sampled("[columns]\nFx = { column = \"F\", zero = \"first\" }\n", "x,y,F\n1,2,\n1,2,7\n1,2,9\n");
   CHECK(std::isnan(samples.readings[0].Fx));
@@ -307,7 +307,7 @@ TEST_CASE("the first reading of a column that has one is its zero") {
   CHECK(samples.readings[2].Fx == 2);
 }
 
-TEST_CASE("a field that is no number, or a reading that cannot be, is refused at its line") {
+TEST_CASE("an invalid number or reading is refused at its line") {
   const std::string all = "t,x,y,Fx,Fy\n";
   CHECK(sample_fault("", all + "0,1,2,1e,4\n") ==
         "T:2, Fx: found '1e', expected a finite number or an empty field");

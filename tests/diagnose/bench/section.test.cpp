@@ -39,7 +39,7 @@ m = "x"
 
 const Section root_of_it(sectioned, "S");
 
-/// What a reader of sections says when it refuses.
+/// The message with which a reader of sections refuses.
 template <class Read>
 std::string refusal(Read read) {
   try {
@@ -52,7 +52,7 @@ std::string refusal(Read read) {
 
 }  // namespace
 
-TEST_CASE("a key is found at its line and path, one that is missing at that of its table") {
+TEST_CASE("a key is located by line and path, a missing one by its table") {
   CHECK(root_of_it.place("word") == "S:2: word");
   CHECK(root_of_it.place("absent") == "S: absent");  // of the whole file no line
   const Section inner = root_of_it.table("inner");
@@ -71,7 +71,7 @@ TEST_CASE("a key is found at its line and path, one that is missing at that of i
         "S:2: word: found 'two words', expected a table [word]");
 }
 
-TEST_CASE("the tables of a key go by their numbers from 1") {
+TEST_CASE("tables of an array are numbered from 1") {
   const std::vector<Section> entries = root_of_it.tables("entry");
   REQUIRE(entries.size() == 2);
   CHECK(entries[0].place("n") == "S:22: entry[1].n");
@@ -83,7 +83,7 @@ TEST_CASE("the tables of a key go by their numbers from 1") {
         "S:7: number: found -2.5, expected tables [[number]]");
 }
 
-TEST_CASE("a key that nobody knows is refused with those that are known, without their synonyms") {
+TEST_CASE("an unknown key is refused with the known ones, without synonyms") {
   const Section entry = root_of_it.tables("entry")[1];
   CHECK_NOTHROW(entry.allow_only({"m", "n", "o"}));
   CHECK_NOTHROW(entry.allow_only({"n"}, {"m"}));
@@ -92,7 +92,7 @@ TEST_CASE("a key that nobody knows is refused with those that are known, without
         }) == "S:25: entry[2].m: found an unknown key, expected one of n o");
 }
 
-TEST_CASE("texts: one that is not empty, a short name, a list or one alone") {
+TEST_CASE("texts: not empty, short names, lists or single values") {
   CHECK(root_of_it.text("word", "a word") == "two words");
   CHECK(refusal([] { (void)root_of_it.text("empty", "a word"); }) == "S:1: empty: found '', expected a word");
   CHECK(refusal([] { (void)root_of_it.text("yes", "a word"); }) == "S:6: yes: found true, expected a word");
@@ -111,7 +111,7 @@ TEST_CASE("texts: one that is not empty, a short name, a list or one alone") {
   CHECK_THROWS_AS((void)Section(bell, "B").text("a", "a word"), Error);
 }
 
-TEST_CASE("numbers: finite, not negative, whole, from 1; nothing where the key is absent") {
+TEST_CASE("numbers: finite, not negative, whole, from 1; absent keys") {
   CHECK(root_of_it.number("number", "a number") == -2.5);
   CHECK(root_of_it.number("whole", "a number") == 3);
   CHECK(root_of_it.non_negative("absent") == 0);
@@ -140,7 +140,7 @@ TEST_CASE("numbers: finite, not negative, whole, from 1; nothing where the key i
         "S:8: whole: found 3, expected true or false");
 }
 
-TEST_CASE("lists of numbers: of any length or one, each finite and acceptable") {
+TEST_CASE("lists of numbers: any or a given length, each finite and in range") {
   using Numbers = std::vector<double>;
   CHECK(root_of_it.numbers("list", 0) == Numbers{1, 2.5});
   CHECK(root_of_it.numbers("list", 2) == Numbers{1, 2.5});
@@ -166,7 +166,7 @@ TEST_CASE("lists of numbers: of any length or one, each finite and acceptable") 
         "S:2: word: found 'two words', expected a table of numbers");
 }
 
-TEST_CASE("a number is shown by its shortest decimal, other values as TOML has them") {
+TEST_CASE("numbers are shown by their shortest decimal, other values as in TOML") {
   const toml::table values = toml::parse("a = 0.1\nb = [1, 2]\n");
   CHECK(shown(*values.get("a")) == "0.1");
   CHECK(shown(*values.get("b")) == "[ 1, 2 ]");

@@ -47,14 +47,14 @@ TEST_CASE("two estimates, pooled by hand") {
   const Pooled two = pooled({estimate(0, 1), estimate(2, 1)});
   CHECK(two.mean.value == close_to(1));
   CHECK(two.spread == close_to(1));
-  CHECK(two.alike == close_to(std::erfc(1.0)));  // of chi-square 2 with one degree of freedom
+  CHECK(two.p_no_spread == close_to(std::erfc(1.0)));  // of chi-square 2 with one degree of freedom
   const Pooled same = pooled({estimate(3, 0.1), estimate(3, 0.2), estimate(3, 0.1)});
   CHECK(same.mean.value == close_to(3));
   CHECK(same.spread == 0);
-  CHECK(same.alike == close_to(1));
+  CHECK(same.p_no_spread == close_to(1));
 }
 
-TEST_CASE("bounds of the mean and of the drift hold the truth more than nine times in ten") {
+TEST_CASE("bounds of mean and drift contain the true value in more than 90 %") {
   std::mt19937 random(1);
   std::normal_distribution<double> normal;
   int mean_held = 0, drift_held = 0;
@@ -79,7 +79,7 @@ TEST_CASE("bounds of the mean and of the drift hold the truth more than nine tim
   CHECK(drift_held > 0.9 * trials);
 }
 
-TEST_CASE("the same cause in all, with its drift by day") {
+TEST_CASE("the same cause in all experiments, with its drift a day") {
   std::vector<Outcome> outcomes;
   for (int i = 0; i < 4; ++i)
     outcomes.push_back(on(identified("s" + std::to_string(i), 0.03 + 0.001 * 7 * i, 1e-4), 100 + 7 * i));
@@ -90,10 +90,10 @@ TEST_CASE("the same cause in all, with its drift by day") {
   REQUIRE(all.parameters[0].drift);
   CHECK(all.parameters[0].drift->value == close_to(0.001));
   CHECK(all.parameters[0].drift->low > 0);
-  CHECK(all.parameters[0].alike < 1e-6);
+  CHECK(all.parameters[0].p_no_spread < 1e-6);
 }
 
-TEST_CASE("what failed is named and counts for nothing") {
+TEST_CASE("failed diagnoses are named and not counted") {
   const std::vector<Outcome> outcomes{identified("a", 0.03, 1e-3), failed("b"), identified("c", 0.031, 1e-3)};
   const Comparison all = compare(outcomes);
   CHECK(all.failed == 1);
@@ -105,7 +105,7 @@ TEST_CASE("what failed is named and counts for nothing") {
   CHECK(as_json(outcomes, all)["experiments"][1]["failure"] == "exit status 2: no such folder");
 }
 
-TEST_CASE("causes that differ, and one that all allow") {
+TEST_CASE("different causes, and one compatible with all") {
   Outcome either{"b", {}, "", {}};
   either.report.verdict = "ambiguous";
   either.report.effects = {"gravity"};
@@ -116,7 +116,7 @@ TEST_CASE("causes that differ, and one that all allow") {
   CHECK(same_cause(outcomes, compare(outcomes)) == "no: backlash(2) in 1 (a); joint_friction in 1 (c)");
 }
 
-TEST_CASE("folders of one name are told apart by the one around") {
+TEST_CASE("folders of equal names are distinguished by their parents") {
   CHECK(names_of({"/lab/one/press", "/lab/two/press", "/lab/two/pull/"}) ==
         std::vector<std::string>{"one-press", "two-press", "pull"});
 }

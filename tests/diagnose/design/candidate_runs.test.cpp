@@ -13,7 +13,7 @@ using namespace plumbline;
 using namespace plumbline::diagnose;
 using namespace plumbline::diagnose::test;
 
-TEST_CASE("a run may ask for twice the force and half as much deflection again as those before, by hand") {
+TEST_CASE("limits of a proposed run: twice the force, 1.5 times the deflection, by hand") {
   const OperatingEnvelope so_far{0.1, 2.5, 0.4, 2};
   const std::vector<double> rest{0.3, -0.5};
   // Fx, Fy and the joints' turns at the second reading; the first is unloaded
@@ -48,7 +48,7 @@ Experiment press_and_load() {
 
 }  // namespace
 
-TEST_CASE("how far the runs so far went, by hand") {
+TEST_CASE("extents of the runs so far, by hand") {
   const Study study(press_and_load());
   const OperatingEnvelope so_far = operating_envelope(study);
   CHECK(so_far.travel == close_to(0.01).epsilon(1e-9));  // (6, 8) mm
@@ -72,7 +72,7 @@ TEST_CASE("how far the runs so far went, by hand") {
   CHECK(operating_envelope(Study(loaded)).sampling_interval == 2);
 }
 
-TEST_CASE("without limits a held end point is pressed as far as before and half as far again, eight ways") {
+TEST_CASE("without limits a held end point is pressed as far as before and 1.5 times, in eight directions") {
   const Experiment experiment = press_and_load();
   const Shape shape{Control::end_point, {0.3, -0.5, 0.4}, "the rest"};
   const std::vector<CandidateRun> all = runs_from(experiment, shape, {0.01, 0, 0, 3});
@@ -102,8 +102,7 @@ TEST_CASE("without limits a held end point is pressed as far as before and half 
   }
 }
 
-TEST_CASE(
-    "a held end point is pressed as far as the limits of force and deflection let it, and two thirds of it") {
+TEST_CASE("a held end point is pressed to the limits of force and deflection, and to two thirds") {
   const Experiment experiment = press_and_load();
   const Shape shape{Control::end_point, {0.3, -0.5, 0.4}, "the rest"};
   const auto followed = [&](const Run& run, const OperatingEnvelope& so_far) {
@@ -141,7 +140,7 @@ TEST_CASE(
   CHECK(shortened > 0);
 }
 
-TEST_CASE("a chain that is loaded is loaded as before, or as little as deflects it no more than before") {
+TEST_CASE("an imposed force is as large as before, or limited by the earlier deflection") {
   const Experiment experiment = press_and_load();
   const Shape shape{Control::force, {0.2, 0.3, -0.3}, "the rest"};
   const std::vector<CandidateRun> all = runs_from(experiment, shape, {0, 0.1, 0.33, 3});
@@ -182,7 +181,7 @@ TEST_CASE("a chain that is loaded is loaded as before, or as little as deflects 
   for (const CandidateRun& one : first) CHECK(one.run.readings[1].t == 2);
 }
 
-TEST_CASE("the shapes of a bench: those of its runs by their names, then turned over, none twice") {
+TEST_CASE("rest shapes of a bench: those of its runs, then mirrored, without repetition") {
   Experiment experiment = press_and_load();
   experiment.runs.push_back(experiment.runs[0]);
   experiment.runs[2].id = "again";

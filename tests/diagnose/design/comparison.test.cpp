@@ -29,8 +29,7 @@ DesignSpace rehearsed(std::vector<Instance> effects) {
 
 }  // namespace
 
-TEST_CASE(
-    "an effect competes with those of one value more, and two are as far apart as the nearer way says") {
+TEST_CASE("an effect competes with effects of at most one more parameter; the smaller distance counts") {
   // of one value, of two, and of six
   const DesignSpace all = rehearsed({{only("force_gain"), {0.2}},
                                      {only("force_bias"), {1, -0.8}},
@@ -48,7 +47,7 @@ TEST_CASE(
   CHECK(effects.between(1, 2).size() == 1);
 }
 
-TEST_CASE("an effect does not compete with its own special case, which has to be told from it") {
+TEST_CASE("an effect does not compete with its nested case, but the nested case with it") {
   const DesignSpace all = rehearsed({{only("joint_friction"), {0.05}}, {only("load_friction"), {0.02, 10}}});
   const Comparison effects(all, {});
   CHECK(effects.between(0, 1).size() == 1);

@@ -36,8 +36,7 @@ double sizeable_by_hand(const ParameterRange& range, std::size_t place) {
 
 }  // namespace
 
-TEST_CASE(
-    "a rehearsal: what is planned first, each run as the nominal chain follows it, none numbered apart") {
+TEST_CASE("a design space: planned runs first, as the nominal chain follows them, numbered through") {
   const DesignSpace all = design_space(planned_press());
   REQUIRE(all.planned == 1);
   CHECK(all.descriptions.front() == "press-1 as planned");
@@ -61,9 +60,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE(
-    "each effect of a space is as large as a lab calls sizeable, or half of it until all can be "
-    "followed") {
+TEST_CASE("effects of a design space have a sizeable amount, halved until all runs can be followed") {
   const DesignSpace all = design_space(planned_press());
   const Study study(all.bench);
   CHECK(all.effects.size() == possible_effects(study).size());
@@ -99,7 +96,7 @@ TEST_CASE(
   CHECK(whole > 10);
 }
 
-TEST_CASE("no effect is both possible and impossible, at any joint") {
+TEST_CASE("no effect is both possible and impossible at a joint") {
   const DesignSpace all = design_space(planned_press());
   for (const EffectAt& one : all.impossible)
     CHECK(std::none_of(all.effects.begin(), all.effects.end(),
@@ -116,7 +113,7 @@ TEST_CASE("no effect is both possible and impossible, at any joint") {
     }
 }
 
-TEST_CASE("a bench of which nothing can be followed is refused") {
+TEST_CASE("a bench whose chain follows no run is refused") {
   Experiment far = planned_press();
   for (Reading& one : far.runs[0].readings) one.x = 3;
   CHECK_THROWS_WITH_AS(design_space(far),
@@ -126,7 +123,7 @@ TEST_CASE("a bench of which nothing can be followed is refused") {
                        Error);
 }
 
-TEST_CASE("measured without noise: the channels that have one show what is predicted, others stay empty") {
+TEST_CASE("simulated readings: measured channels hold the prediction, others are empty") {
   Experiment bench = planned_press();
   load(bench, {0.2, 0.3, -0.3}, {0, 0}, {-0.5, 0.2}, 4);
   bench.noise.Fy = 0;
@@ -144,7 +141,7 @@ TEST_CASE("measured without noise: the channels that have one show what is predi
   CHECK(known.runs[1].readings[3].Fx == bench.runs[1].readings[3].Fx);
 }
 
-TEST_CASE("what is planned and some effect cannot follow, however little there is of it, is left out") {
+TEST_CASE("planned runs that some effect cannot follow at any amount are left out") {
   Experiment bench = planned_press();
   // To a ten-millionth of the whole length, 0.6 m, which is 6e-8 m: an end that stands off along x by the
   // least that is tried, a 64th of what is sizeable, 3 mm, is out of reach.

@@ -34,7 +34,7 @@ double information(double mean_a, double variance_a, double mean_b, double varia
 
 }  // namespace
 
-TEST_CASE("a run in which explanations agree tells nothing, one in which they are far apart which is right") {
+TEST_CASE("a run tells nothing where hypotheses agree, and all where they differ widely") {
   CHECK(expected_information({at(1, 2), at(1, 2), at(1, 2)}) == doctest::Approx(0));
   CHECK(expected_information({at(0, 0), at(100, 0), at(0, 100)}) == close_to(std::log(3)));
   // Two of three that agree: ln 3 before, 2/3 ln 2 after.
@@ -42,7 +42,7 @@ TEST_CASE("a run in which explanations agree tells nothing, one in which they ar
         close_to(std::log(3) - 2 * std::log(2) / 3));
 }
 
-TEST_CASE("what is expected is never more than what readings give") {
+TEST_CASE("the expected information never exceeds the exact one") {
   for (const double apart : {0.2, 0.7, 1.5, 3.0, 6.0})
     for (const double variance : {0.0, 0.5, 3.0, 20.0}) {
       const double expected = expected_information({at(0, 0), at(apart, 0, 1, variance)});
@@ -54,7 +54,7 @@ TEST_CASE("what is expected is never more than what readings give") {
     }
 }
 
-TEST_CASE("what a parameter that is still open could do tells nothing") {
+TEST_CASE("differences that a free parameter absorbs are worth nothing") {
   const double known = expected_information({at(0, 0, 1, 0), at(2, 0, 1, 0)});
   CHECK(expected_information({at(0, 0, 1, 100), at(2, 0, 1, 100)}) < 0.02 * known);
   // Along a reading that it does not move, it may be as open as it likes.

@@ -43,7 +43,7 @@ std::size_t optimum(const std::vector<Contrast>& contrasts, std::size_t count, d
 
 }  // namespace
 
-TEST_CASE("where the greedy choice needs three runs, the two that suffice are found") {
+TEST_CASE("two sufficient runs are found where the greedy choice needs three") {
   // Six contrasts; the first run shows four of them, the other two runs three each.
   std::vector<Contrast> contrasts;
   for (int c = 0; c < 6; ++c)
@@ -53,7 +53,7 @@ TEST_CASE("where the greedy choice needs three runs, the two that suffice are fo
   CHECK(found.proved);
 }
 
-TEST_CASE("of the runs that are needed the one that shows most comes first") {
+TEST_CASE("the most informative of the required runs comes first") {
   // The second run shows two contrasts, the first one.
   const std::vector<Contrast> contrasts{additive({0, 4}), additive({0, 4}), additive({4, 0})};
   CHECK(fewest_runs(contrasts, 2, 3).runs == Runs{1, 0});
@@ -65,7 +65,7 @@ TEST_CASE("of the runs that are needed the one that shows most comes first") {
   CHECK(fewest_runs(seven, 3, 3).runs == Runs{2, 1});
 }
 
-TEST_CASE("runs that show nothing alone may show it together") {
+TEST_CASE("two runs may detect together what neither detects alone") {
   // Each run determines the alternative's one parameter, by another value: only both together refute it.
   const Eigen::MatrixXd slope = Eigen::MatrixXd::Constant(1, 1, 1.0);
   Contrast contrast;
@@ -76,11 +76,11 @@ TEST_CASE("runs that show nothing alone may show it together") {
   CHECK(fewest_runs({contrast}, 2, 3).runs.size() == 2);
 }
 
-TEST_CASE("nothing to show needs no run") {
+TEST_CASE("nothing to detect needs no run") {
   CHECK(fewest_runs({}, 5, 3).runs.empty());
 }
 
-TEST_CASE("no set of runs is smaller, by trying them all") {
+TEST_CASE("the set of runs is minimal, by enumeration") {
   check_property("the size of the set is that of the smallest", [] {
     const auto count = *rc::gen::inRange<std::size_t>(1, 8), pairs = *rc::gen::inRange<std::size_t>(1, 12);
     const double enough = 3;

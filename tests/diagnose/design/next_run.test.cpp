@@ -28,8 +28,7 @@ Experiment along_x() {
 
 }  // namespace
 
-TEST_CASE(
-    "a weight at the tip and a tare error are one and the same until the rig is turned out of gravity") {
+TEST_CASE("a weight at the tip and a tare error are equivalent until the rig is turned out of gravity") {
   const Study study(measured(along_x(), only("tip_payload"), {0.3}, 37));
   const NoiseEstimate noise = declared_noise(study);
   const Hypothesis payload = fit_in_white_noise(study, only("tip_payload")),
@@ -49,7 +48,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("the lead that a proposal promises is the lead that the run gives") {
+TEST_CASE("the predicted log-likelihood ratio of a proposal is that of its run") {
   const Candidate truth = only("rest_angle", 1), hypothesis = only("joint_stiffness", 2);
   const Study first(measured(along_x(), truth, {0.004}, 41));
   const Proposal best =
@@ -75,7 +74,7 @@ TEST_CASE("the lead that a proposal promises is the lead that the run gives") {
   CHECK(lead == close_to(best.log_odds).epsilon(0.35));
 }
 
-TEST_CASE("nothing is proposed that asks too much of the rig") {
+TEST_CASE("proposals respect the limits of the rig") {
   const Study study(measured(along_x(), only("force_gain"), {0.05}, 43));
   const Hypothesis gain = fit_in_white_noise(study, only("force_gain")),
                    stiff = fit_in_white_noise(study, only("joint_stiffness", 1));
@@ -93,7 +92,7 @@ TEST_CASE("nothing is proposed that asks too much of the rig") {
   CHECK(needed < 2.2 * force);
 }
 
-TEST_CASE("no run is proposed in which an explanation snaps") {
+TEST_CASE("no run with a snap under some hypothesis is proposed") {
   // nearly straight, and bent more than was believed: pushed farther it snaps through, which
   // would tell more than any run that is proposed
   Experiment experiment = three_links();
@@ -118,9 +117,7 @@ TEST_CASE("no run is proposed in which an explanation snaps") {
   for (const Proposal& one : proposals) CHECK_FALSE(snaps(one.run));
 }
 
-TEST_CASE(
-    "what a proposal says of the gap is what the best explanation leaves to the nominal model, and goes "
-    "first") {
+TEST_CASE("a proposal's gap is the distance of the best hypothesis from the nominal model, and comes first") {
   const Study study(measured(along_x(), only("rest_angle", 1), {0.004}, 41));
   NoiseEstimate noise = declared_noise(study);
   noise_of(noise, {Channel::Name::Fx}).scale = 2;
@@ -160,7 +157,7 @@ TEST_CASE(
     CHECK(std::min(shown[i].gap, 2.0) < std::min(shown[i - 1].gap, 2.0) * std::exp(0.25) + 1e-4);
 }
 
-TEST_CASE("out of gravity a chain and its mirror image tell as much, in gravity they do not") {
+TEST_CASE("mirrored runs are equally informative without gravity, not with it") {
   Experiment experiment = along_x();
   experiment.link_mass = {0.05, 0.05, 0.05};
   experiment.gravity = {0, -9.81};
@@ -181,7 +178,7 @@ TEST_CASE("out of gravity a chain and its mirror image tell as much, in gravity 
   }
 }
 
-TEST_CASE("joint angles are an extra only where the bench does not read them") {
+TEST_CASE("joint angles are suggested only where the bench does not read them") {
   for (const bool reads : {true, false}) {
     CAPTURE(reads);
     Experiment experiment = along_x();
@@ -202,7 +199,7 @@ TEST_CASE("joint angles are an extra only where the bench does not read them") {
   }
 }
 
-TEST_CASE("what a run is expected to show is counted in the noise as it is, channel by channel") {
+TEST_CASE("expected information uses the estimated noise of each channel") {
   // a sigma declared twice as large, or found twice as large as declared, are one and the same noise
   const Experiment experiment = measured(along_x(), only("rest_angle", 1), {0.02}, 47);
   const Study study(experiment);
@@ -245,7 +242,7 @@ TEST_CASE("what a run is expected to show is counted in the noise as it is, chan
   }
 }
 
-TEST_CASE("noise that remembers hides what changes slowly, in a run to come as in those that there are") {
+TEST_CASE("correlated noise hides slow effects in proposed runs as in made ones") {
   // A difference that hardly changes counts (1 - phi) / (1 + phi) as much, but for the first reading of a
   // run: a quarter at 0.6. Of a press the difference grows on the way, and its steps count more.
   const Experiment experiment = measured(along_x(), only("rest_angle", 1), {0.02}, 47);

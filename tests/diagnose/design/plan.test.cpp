@@ -43,7 +43,7 @@ const Indistinguishable* class_of(const Unidentifiable& left, const EffectAt& on
 
 }  // namespace
 
-TEST_CASE("a bench sees gravity in a vertical plane alone") {
+TEST_CASE("gravity is detectable only in a vertical plane") {
   Experiment bench = two_links();
   const std::vector<EffectAt> flat = design_space(bench).impossible;
   CHECK(has(flat, "gravity"));
@@ -55,7 +55,8 @@ TEST_CASE("a bench sees gravity in a vertical plane alone") {
 }
 
 TEST_CASE(
-    "a load cell's gain and the scale of all springs are one, until known weights set a scale of force" *
+    "a load cell's gain and the scale of all springs are equivalent until known weights set the scale of "
+    "force" *
     doctest::test_suite("long")) {
   Experiment bench = two_links();
   const Plan held = plan(bench);
@@ -74,8 +75,7 @@ TEST_CASE(
   CHECK((now == nullptr || (!has(now->effects, "stiffness_scale") && !has(now->others, "stiffness_scale"))));
 }
 
-TEST_CASE("what the planned runs leave open is what the best runs leave open, and more" *
-          doctest::test_suite("long")) {
+TEST_CASE("planned runs leave at least as much undetermined as the best runs" * doctest::test_suite("long")) {
   Experiment bench = two_links();
   press(bench, {0.4, -0.9}, {-0.03, 0}, 10, false);
   bench.runs.erase(bench.runs.begin());
@@ -88,7 +88,7 @@ TEST_CASE("what the planned runs leave open is what the best runs leave open, an
          class_of(*made.planned, "joint_friction") != nullptr));
 }
 
-TEST_CASE("in noise as large as all forces nothing is seen, and no run is worth its time") {
+TEST_CASE("noise as large as the forces hides every effect, and no run is proposed") {
   Experiment bench = two_links();
   bench.noise.Fx = bench.noise.Fy = 1e3;
   const Plan made = plan(bench);
@@ -97,7 +97,7 @@ TEST_CASE("in noise as large as all forces nothing is seen, and no run is worth 
   CHECK(made.fewest.empty());
 }
 
-TEST_CASE("effects that are alike stand in one class, each of them once") {
+TEST_CASE("indistinguishable effects are in one class, each once") {
   Experiment bench = two_links();
   bench.noise.Fx = bench.noise.Fy = 8;  // so much that a few effects alone are seen
   const Unidentifiable never = plan(bench).unidentifiable;
@@ -116,7 +116,7 @@ TEST_CASE("effects that are alike stand in one class, each of them once") {
                     [](const Indistinguishable& one) { return one.effects.size() > 1; }));
 }
 
-TEST_CASE("every run of a space can be made by the nominal chain and by every effect") {
+TEST_CASE("the nominal chain and every effect can follow every run of a design space") {
   Experiment bench = three_links();
   press(bench, {0.3, -0.5, 0.4}, {-0.06, 0}, 20, true);
   const DesignSpace space = design_space(unmeasured(bench));

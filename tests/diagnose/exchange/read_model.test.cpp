@@ -104,8 +104,8 @@ TEST_CASE("what is no planar serial chain of hinges is refused in one line that 
   CHECK(says(refusal("r.xml", upright(std::string(knee) + R"(<joint name="again" axis="0 1 0"/>)")),
              {"knee", "same place"}));
   CHECK(says(refusal("r.xml", "<mujoco><worldbody/></mujoco>"), {"no joint"}));
-  CHECK(says(refusal("r.xml", "<mujoco>"), {"r.xml", "MuJoCo"}));
-  CHECK(says(refusal("r.sdf", "<sdf>"), {"r.sdf", "sdformat"}));
+  CHECK(says(refusal("r.xml", "<mujoco>"), {"r.xml:1", "XML"}));
+  CHECK(says(refusal("r.sdf", "<sdf>"), {"r.sdf:1", "XML"}));
   CHECK(says(refusal("r.step", "x"), {".step", ".xml"}));
   CHECK(says(refusal("r.toml", "[nominal]\nlink_length = [1]\n"), {"joint_stiffness", "no such key"}));
 }

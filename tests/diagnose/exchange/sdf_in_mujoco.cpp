@@ -7,8 +7,8 @@
 #include <sdf/sdf.hh>
 
 #include "diagnose/exchange/mjcf_parts.hpp"
-#include "diagnose/exchange/urdf_end.hpp"
 #include "support/files/text_file.hpp"
+#include "tests/diagnose/exchange/urdf_end.hpp"
 
 namespace plumbline::exchange::test {
 namespace {

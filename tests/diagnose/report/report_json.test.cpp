@@ -6,7 +6,7 @@ using namespace plumbline;
 using namespace plumbline::diagnose;
 using namespace plumbline::diagnose::test;
 
-TEST_CASE("every number of a diagnosis stands in its JSON, by hand") {
+TEST_CASE("the JSON has every number of a diagnosis, by hand") {
   const ReportJson json = as_json(made_up());
   CHECK(json["format"] == "gap-diagnosis/2");
   CHECK(json["experiment"] == "three links");

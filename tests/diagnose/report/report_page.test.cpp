@@ -13,7 +13,7 @@ using namespace plumbline::diagnose::test;
 
 namespace {
 
-/// What the page would have to hold so that a program finds the number again.
+/// The number as the page must show it.
 std::string marked(const ReportJson& report, const std::string& key) {
   return "<data value=\"" + ReportJson(report.at(ReportJson::json_pointer(key)).get<double>()).dump() +
          "\" data-key=\"" + key + "\">";
@@ -21,7 +21,7 @@ std::string marked(const ReportJson& report, const std::string& key) {
 
 }  // namespace
 
-TEST_CASE("a page holds the numbers of the JSON at its keys, and says what was found") {
+TEST_CASE("a page has the numbers of the JSON at its keys, and the verdict") {
   const Study study(measured(small_bench(), {{{"backlash", 2}, {"gravity"}}}, {0.0312, 0.02}, 4));
   const Diagnosis made = made_up();
   const ReportJson report = as_json(made);

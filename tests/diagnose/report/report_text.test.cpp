@@ -256,7 +256,7 @@ TEST_CASE("an unknown cause in words: what is missing, and the best partial expl
   CHECK_FALSE(has_words(text, "hysteresis is part of it"));
 }
 
-TEST_CASE("what is missing as a picture of letters, by hand") {
+TEST_CASE("the missing torque drawn in text, by hand") {
   Missing missing{"Fx", "N", "x", "m", {}, 0, 0, 0};
   CHECK(picture(missing) == "");
   missing.against_unit = "m", missing.unit = "N";

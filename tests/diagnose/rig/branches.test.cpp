@@ -21,7 +21,8 @@ Experiment column() {
   return experiment;
 }
 
-/// Rest angles that are off by thousandths of a radian; with another sign the column goes to the other side.
+/// Rest angles with errors of some thousandths of a radian; the opposite sign moves the column to the other
+/// branch.
 std::vector<double> leaning(double sign) {
   return {sign * 2e-3, -sign * 1.5e-3, sign * 1e-3};
 }
@@ -37,7 +38,7 @@ double beside(const Study& study) {
 
 }  // namespace
 
-TEST_CASE("a straight column buckles to the side that its readings are on") {
+TEST_CASE("a straight column buckles to the branch of its readings") {
   for (const double sign : {1.0, -1.0}) {
     const Experiment read = measured(column(), only("rest_spread"), leaning(sign), 3);
     CHECK_FALSE(Study(read).nominal().reached);
@@ -46,12 +47,12 @@ TEST_CASE("a straight column buckles to the side that its readings are on") {
     CHECK(std::signbit(beside(study)) == std::signbit(read.runs[0].readings.back().y));
     CHECK(std::abs(beside(study)) > 0.3);
     REQUIRE(study.experiment().runs[0].branch);
-    // Of the bent one the nominal model is where the readings are.
+    // The nominal model of the bent chain is on the branch of the readings.
     CHECK_FALSE(study.experiment().runs[1].branch);
   }
 }
 
-TEST_CASE("a diagnosis says which run is on a side of its own, and finds what bends the column") {
+TEST_CASE("a diagnosis names the run on another branch, and finds what bends the column") {
   const Study study(on_observed_branches(Study(measured(column(), only("rest_spread"), leaning(-1), 3))));
   const Diagnosis diagnosis = diagnose::diagnose(study);
   REQUIRE(diagnosis.gap.other_branch.size() == 1);
@@ -61,7 +62,7 @@ TEST_CASE("a diagnosis says which run is on a side of its own, and finds what be
   CHECK(diagnosis.cause.ranking.front().cause == only("rest_spread"));
 }
 
-TEST_CASE("what explains the readings does so on their side as by itself") {
+TEST_CASE("an explanation on the observed branch explains the readings by itself") {
   // Softer, it buckles before the nominal column does; stiffer, after it.
   for (const double sign : {1.0, -1.0})
     for (const double change : {-0.3, 0.0, 0.2}) {
@@ -78,7 +79,7 @@ TEST_CASE("what explains the readings does so on their side as by itself") {
     }
 }
 
-TEST_CASE("a softer straight column without any imperfection goes to the side of the readings") {
+TEST_CASE("a softer straight column without imperfection follows the branch of the readings") {
   std::vector<double> values = leaning(-1);
   values.push_back(-0.3);
   const Candidate truth{{"rest_spread", {"joint_stiffness", 2}}}, softer = only("joint_stiffness", 2);
@@ -89,7 +90,7 @@ TEST_CASE("a softer straight column without any imperfection goes to the side of
   CHECK(without.runs[0](30, column_y) == doctest::Approx(read.runs[0].readings.back().y).epsilon(0.02));
 }
 
-TEST_CASE("a column that friction holds between its sides stays there") {
+TEST_CASE("a column held by friction between its branches stays there") {
   const Candidate truth{{"joint_friction", "rest_spread"}};
   std::vector<double> values{0.01};
   for (const double off : leaning(-1)) values.push_back(off);
@@ -101,8 +102,8 @@ TEST_CASE("a column that friction holds between its sides stays there") {
   CHECK(mean_square(study, predict(study, truth, values)) == doctest::Approx(expected));
 }
 
-TEST_CASE("a nearly symmetric chain that goes to the other side shows no gap there") {
-  // Pressed, it comes near a crossing of branches, and two thousandths of a radian decide where it goes.
+TEST_CASE("a nearly symmetric chain on the other branch shows no gap there") {
+  // Pressing brings the chain near a bifurcation, where two thousandths of a radian decide the branch.
   Experiment experiment;
   experiment.name = "w";
   experiment.link_length = std::vector(5, 0.2844);
@@ -145,7 +146,7 @@ TEST_CASE("a nearly symmetric chain that goes to the other side shows no gap the
   CHECK(mean_square(study, study.nominal()) < 1 + 5 * std::sqrt(2 / values));
 }
 
-TEST_CASE("readings that an effect moves, and not a side, set none") {
+TEST_CASE("readings moved by an effect do not select a branch") {
   for (const EffectAt& at :
        {EffectAt("joint_friction"), EffectAt("stiffness_scale"), EffectAt("force_gain")}) {
     CAPTURE(at.label());

@@ -29,7 +29,7 @@ Experiment ten_readings() {
 
 }  // namespace
 
-TEST_CASE("the sizes of an experiment, by hand") {
+TEST_CASE("the characteristic scales of an experiment, by hand") {
   const Experiment experiment = ten_readings();
   const CharacteristicScales size = characteristic_scales(experiment);
   CHECK(size.stiffness == 3);  // passive joints have no part in the mean
@@ -57,7 +57,7 @@ TEST_CASE("the sizes of an experiment, by hand") {
   for (const Name name : {Name::x, Name::y, Name::Fy, Name::q}) CHECK_FALSE(size.measures(name));
 }
 
-TEST_CASE("of several runs: the longest duration, the shortest pause, what any of them reads") {
+TEST_CASE("several runs: the longest duration, the shortest interval, all measured channels") {
   Experiment experiment = ten_readings();
   Run other = experiment.runs[0];
   for (Reading& r : other.readings) r.t *= 0.25, r.Fy = 0.5, r.q = {0.1, 0.2};
@@ -76,9 +76,7 @@ TEST_CASE("of several runs: the longest duration, the shortest pause, what any o
   CHECK(characteristic_scales(experiment).duration == 49.5);
 }
 
-TEST_CASE(
-    "a run lasts from its first reading to its last, whatever its clock shows, and pauses as it mostly "
-    "does") {
+TEST_CASE("duration from first to last reading, sampling interval as the most frequent one") {
   Experiment experiment = ten_readings();
   for (Reading& r : experiment.runs[0].readings) r.t += 3600;
   CHECK(characteristic_scales(experiment).duration == 49.5);
@@ -91,7 +89,7 @@ TEST_CASE(
   CHECK(characteristic_scales(experiment).sampling_interval == 1);
 }
 
-TEST_CASE("what is measured alone counts: weights read no force, and an imposed one is no plateau") {
+TEST_CASE("only measured forces count: weights read none, an imposed force is no plateau") {
   Experiment experiment = ten_readings();
   experiment.runs[0].control = Control::force;
   CharacteristicScales size = characteristic_scales(experiment);
@@ -117,7 +115,7 @@ TEST_CASE("readings within five sigmas of the largest force, of either sign, are
   CHECK(characteristic_scales(experiment).at_largest == 3);
 }
 
-TEST_CASE("without forces, time or stiffness sizes stay above nothing") {
+TEST_CASE("scales stay positive without forces, time or stiffness") {
   Experiment experiment = ten_readings();
   for (Reading& r : experiment.runs[0].readings) r.Fx = 0, r.t = 0;
   CharacteristicScales size = characteristic_scales(experiment);
@@ -134,7 +132,7 @@ TEST_CASE("without forces, time or stiffness sizes stay above nothing") {
   CHECK_FALSE(characteristic_scales(experiment).weighs);
 }
 
-TEST_CASE("what the runs ask of the nominal joints: the largest of each, by hand") {
+TEST_CASE("the excitation of the nominal joints: the largest of each, by hand") {
   Experiment experiment = three_links();
   load(experiment, {0.2, 0.3, -0.3}, {0, 0}, {0, -1}, 4);
   load(experiment, {0, 0, 0}, {0, 0}, {0, 0.5}, 4);
@@ -154,7 +152,7 @@ TEST_CASE("what the runs ask of the nominal joints: the largest of each, by hand
   CHECK(use.torque == torque);
 }
 
-TEST_CASE("a run: where its command turns back, and whether its clock only counts") {
+TEST_CASE("a run: reversals of its command, and a clock that only counts") {
   Run run{"press", Control::end_point, {0}, {}};
   const auto at = [&](double t, double x, double y) { run.readings.push_back({t, x, y, 0, 0, {0}}); };
   at(0, 0, 0), at(1, 1, 0), at(2, 2, 0.1), at(3, 2, 0.1), at(4, 1.5, 0.1), at(5, nan_value(), 0), at(6, 1, 0),

@@ -22,7 +22,7 @@ bool has(const std::vector<EffectAt>& effects, const char* id, std::size_t joint
 
 }  // namespace
 
-TEST_CASE("weight has no part in a horizontal plane, and may have in an unknown one") {
+TEST_CASE("weights do not act in a horizontal plane, and may in an unknown one") {
   Experiment experiment = full_bench();
   for (const auto& [plane, heavy] :
        {std::pair(Bench::Plane::horizontal, false), std::pair(Bench::Plane::vertical, true),
@@ -35,8 +35,7 @@ TEST_CASE("weight has no part in a horizontal plane, and may have in an unknown 
   }
 }
 
-TEST_CASE(
-    "weights hang freely: neither an end pivot nor a load cell has errors where they alone load the chain") {
+TEST_CASE("a chain loaded by weights alone has no errors of an end pivot or a load cell") {
   Experiment experiment = three_links();
   load(experiment, {0.2, 0.3, -0.3}, {0, 0}, {0, -1.0}, 10);
   const auto possible = [&](const char* id) { return has(possible_effects(Study(experiment)), id); };
@@ -49,7 +48,7 @@ TEST_CASE(
   for (const char* id : {"tip_stiffness", "force_bias", "force_gain"}) CHECK(possible(id));
 }
 
-TEST_CASE("a passive joint has no spring to be wrong, nor play in one") {
+TEST_CASE("a passive joint has no errors of a spring") {
   Experiment experiment = full_bench();
   experiment.joint_stiffness[0] = 0;
   const auto possible = possible_effects(Study(experiment));
@@ -60,7 +59,7 @@ TEST_CASE("a passive joint has no spring to be wrong, nor play in one") {
   CHECK(has(possible, "link_length", 1));
 }
 
-TEST_CASE("every row is found by its id, and nothing else is") {
+TEST_CASE("every effect is found by its id, and no other") {
   const Place at{characteristic_scales(full_bench()), 0};
   for (const Effect& row : catalogue()) {
     const Effect& found = effect(row.id, row.at_joint ? 1 : 0);
@@ -92,7 +91,7 @@ TEST_CASE("fitted coordinates and the catalogue's units are each other's inverse
 }
 
 TEST_CASE(
-    "a nominal effect that has one value for all joints, or one at each, is the row with its parameters") {
+    "a nominal effect with one value for all joints, or one at each, is the row with those parameters") {
   const auto asymmetry = [](const std::map<std::string, double>& parameters) {
     Experiment experiment = full_bench();
     experiment.effects = {{"asymmetric_spring", 0, parameters}};

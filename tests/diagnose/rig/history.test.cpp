@@ -76,7 +76,7 @@ std::vector<double> sizeable(const Experiment& experiment, const EffectAt& at) {
   return values;
 }
 
-/// The same effect with nothing of it.
+/// The same effect with amount zero.
 std::vector<double> nothing(const EffectAt& at) {
   if (const auto known = chosen(at)) return known->nothing;
   return std::vector<double>(Study(full_bench()).ranges(at).size(), 0.0);
@@ -91,7 +91,7 @@ double largest_difference(const Prediction& a, const Prediction& b) {
 
 }  // namespace
 
-TEST_CASE("the nominal model balances k_i (q_i - rest_i) = [J^T F]_i and ends where it is told") {
+TEST_CASE("the nominal model satisfies k_i (q_i - rest_i) = [J^T F]_i at the imposed end point") {
   const Experiment experiment = full_bench();
   const Prediction predicted = predict(Study(experiment), {}, {});
   each_reading(experiment, predicted, [&](const Posture& shape, const auto& rest, auto run, auto reading) {
@@ -108,7 +108,7 @@ TEST_CASE("the nominal model balances k_i (q_i - rest_i) = [J^T F]_i and ends wh
   });
 }
 
-TEST_CASE("nothing of an effect is the nominal model, some of it is not") {
+TEST_CASE("an effect of amount zero is the nominal model, any other is not") {
   const Experiment experiment = full_bench();
   const Prediction nominal = predict(Study(experiment), {}, {});
   const auto possible = possible_effects(Study(experiment));
@@ -273,7 +273,7 @@ TEST_CASE("compliances move the end point as their definitions say") {
   });
 }
 
-TEST_CASE("base and train compliance are one and the same when only x moves and only Fx is let yield") {
+TEST_CASE("base compliance along x and train compliance are equivalent where only x moves") {
   Experiment experiment = three_links();
   press(experiment, {0.3, -0.5, 0.4}, {-0.06, 0}, 20, true);
   const Prediction base = predict(Study(experiment), only("base_compliance"), {1e-3, 0});
@@ -304,7 +304,7 @@ TEST_CASE("a servo that loads shares the load cell's errors, weights do not") {
   CHECK(std::abs(end("stiffness_scale", {0.1})[0] - nominal[0]) > 1e-4);
 }
 
-TEST_CASE("rig and load-cell effects act on what is commanded and on what is read") {
+TEST_CASE("effects of rig and load cell act on commands and on readings") {
   Experiment experiment = three_links();
   press(experiment, {0.3, -0.5, 0.4}, {-0.06, 0.01}, 10, true);
   const Trace nominal = predict(Study(experiment), {}, {}).runs[0];
@@ -346,7 +346,7 @@ TEST_CASE("rig and load-cell effects act on what is commanded and on what is rea
   CHECK(offset[0] == close_to(predict(Study(shifted), {}, {}).runs[0](6, column_Fx)));
 }
 
-TEST_CASE("the guide friction of a run that was brought to its first reading acts there already") {
+TEST_CASE("guide friction acts at the first reading of a run that was brought there along x") {
   Experiment experiment = three_links();
   press(experiment, {0.3, -0.5, 0.4}, {-0.06, 0}, 10, false);
   experiment.runs[0].readings.erase(experiment.runs[0].readings.begin());
@@ -376,7 +376,7 @@ Trace response(const Experiment& experiment, const Candidate& candidate,
 
 }  // namespace
 
-TEST_CASE("an imposed force is what the load cell reads: the true one is without its bias, drift and gain") {
+TEST_CASE("an imposed force is the load cell's reading: the true force lacks its bias, drift and gain") {
   const InPlane from{-0.2, 0.1}, to{-2.0, 1.0};
   const Experiment experiment = pushed(from, to);
   const auto close = [](const Trace& a, const Trace& b) { return (a - b).abs().maxCoeff() < up_to_rounding; };
@@ -388,7 +388,7 @@ TEST_CASE("an imposed force is what the load cell reads: the true one is without
               response(pushed({from[0] / 1.25, from[1] / 1.25}, {to[0] / 1.25, to[1] / 1.25}), {}, {})));
 }
 
-TEST_CASE("under an imposed force the end point is read less its offset, and with what the train yields") {
+TEST_CASE("under an imposed force the end point is read less its offset") {
   const Experiment experiment = pushed({-0.2, 0.1}, {-2.0, 1.0});
   const Trace nominal = predict(Study(experiment), {}, {}).runs[0];
   const Trace offset = predict(Study(experiment), only("position_offset"), {0.01, -0.02}).runs[0];

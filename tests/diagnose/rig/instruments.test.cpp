@@ -38,7 +38,7 @@ bool offered(const Experiment& experiment, const char* id) {
 
 }  // namespace
 
-TEST_CASE("a tare of one run moves that run's readings and no other") {
+TEST_CASE("a tare error of one run changes that run alone") {
   const Experiment experiment = presses();
   const Prediction nominal = predicted(experiment, {}, {});
   const Prediction tared = predicted(experiment, only("run_tare"), {0, 0, 0.3, -0.2, 0, 0});
@@ -51,7 +51,7 @@ TEST_CASE("a tare of one run moves that run's readings and no other") {
                    predicted(experiment, only("force_bias"), {0.3, -0.2}).runs[2]) == 0);
 }
 
-TEST_CASE("a run keeps its values where others are left out") {
+TEST_CASE("values of a run do not depend on the selection of runs") {
   const Experiment experiment = presses();
   const std::vector<double> tare{0, 0, 0, 0, 0.3, -0.2};
   Experiment last = Study(experiment).experiment();
@@ -62,7 +62,7 @@ TEST_CASE("a run keeps its values where others are left out") {
                    predicted(experiment, only("run_tare"), tare).runs[2]) == 0);
 }
 
-TEST_CASE("rest angles of one run: those of rest_spread in that run alone") {
+TEST_CASE("rest angles of one run are those of rest_spread in that run") {
   const Experiment experiment = presses();
   const Prediction nominal = predicted(experiment, {}, {});
   const Prediction other = predicted(experiment, only("run_rest"), {0, 0, 0, 0.02, -0.01, 0.03, 0, 0, 0});
@@ -72,7 +72,7 @@ TEST_CASE("rest angles of one run: those of rest_spread in that run alone") {
   CHECK(difference(other.runs[1], nominal.runs[1]) > 1e-3);
 }
 
-TEST_CASE("cross-talk of what is read, and of what a servo is told to hold") {
+TEST_CASE("cross-talk acts on readings and on imposed forces") {
   Experiment experiment = presses();
   const Trace nominal = predicted(experiment, {}, {}).runs[0];
   const Trace read = predicted(experiment, only("cross_talk"), {0.05, -0.02}).runs[0];
@@ -94,7 +94,7 @@ TEST_CASE("cross-talk of what is read, and of what a servo is told to hold") {
   CHECK_FALSE(offered(experiment, "cross_talk"));
 }
 
-TEST_CASE("a cell that is not linear shows F + c F^2 of each component, and a servo holds what it shows") {
+TEST_CASE("a nonlinear cell reads F + c F^2 of each component, also under a servo") {
   Experiment experiment = presses();
   const Trace nominal = predicted(experiment, {}, {}).runs[0];
   const Trace read = predicted(experiment, only("cell_curvature"), {0.02, -0.01}).runs[0];
@@ -103,7 +103,7 @@ TEST_CASE("a cell that is not linear shows F + c F^2 of each component, and a se
   CHECK(difference(read.col(column_Fy), nominal.col(column_Fy) - 0.01 * nominal.col(column_Fy).square()) <
         1e-12);
 
-  // Of (-1.25, 0.75) it shows -1.25 + 0.2 * 1.5625 and 0.75 - 0.4 * 0.5625.
+  // The reading of (-1.25, 0.75) is -1.25 + 0.2 * 1.5625 and 0.75 - 0.4 * 0.5625.
   experiment.runs.clear();
   load(experiment, {0.2, 0.3, -0.3}, {-0.9375, 0.525}, {-0.9375, 0.525}, 1);
   Experiment bent = experiment;
@@ -113,8 +113,7 @@ TEST_CASE("a cell that is not linear shows F + c F^2 of each component, and a se
                    q(predicted(bent, {}, {}))) < 1e-9);
 }
 
-TEST_CASE(
-    "a cell that is not linear is found, and its zero, its scale and the springs are not taken for it") {
+TEST_CASE("a nonlinear cell is identified, and not confused with bias, gain or stiffness") {
   Experiment experiment = presses();
   const Experiment planted = measured(experiment, only("cell_curvature"), {0.03, 0.01}, 4);
   const Diagnosis diagnosis = diagnose::diagnose(Study(planted));
@@ -129,7 +128,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("a cell at the end of its range shows the limit, and is suspected where readings form a plateau") {
+TEST_CASE("a saturated cell reads its limit, and is considered where readings form a plateau") {
   Experiment experiment = three_links();
   press(experiment, {0.3, -0.5, 0.4}, {-0.06, 0}, 20, true);
   const Trace nominal = predicted(experiment, {}, {}).runs[0];
@@ -141,7 +140,7 @@ TEST_CASE("a cell at the end of its range shows the limit, and is suspected wher
   CHECK_FALSE(offered(measured(experiment, {}, {}, 4), "saturation"));
 }
 
-TEST_CASE("a cell with a time constant comes near a held force as 1 - exp(-t / tau)") {
+TEST_CASE("a lagging cell approaches a constant force as 1 - exp(-t / tau)") {
   Experiment experiment = three_links();
   press(experiment, {0.3, -0.5, 0.4}, {-0.02, 0}, 1, false, 1e-6);
   Run& run = experiment.runs[0];
@@ -158,7 +157,7 @@ TEST_CASE("a cell with a time constant comes near a held force as 1 - exp(-t / t
   }
 }
 
-TEST_CASE("a rate behind a steady force: the lag times the rate") {
+TEST_CASE("a lagging cell trails a ramp by lag times rate") {
   // The straight side of a small press: forces go nearly in proportion to the way.
   Experiment experiment = three_links();
   press(experiment, {0.3, -0.5, 0.4}, {-1e-4, 0}, 40, false, 2);
@@ -168,7 +167,7 @@ TEST_CASE("a rate behind a steady force: the lag times the rate") {
   CHECK(nominal(40, column_Fx) - shown(40, column_Fx) == close_to(3.0 * rate).epsilon(1e-3));
 }
 
-TEST_CASE("what one run, one component or a counted clock cannot show is not offered") {
+TEST_CASE("effects that one run, one component or a counted clock cannot show are not considered") {
   Experiment experiment = presses();
   CHECK(offered(experiment, "run_tare"));
   CHECK(offered(experiment, "run_rest"));

@@ -49,7 +49,7 @@ TEST_CASE("a spring, with hardening, play and a stop: torques by hand") {
   check_torque(law, 0.3, 0.6 + 7 * 0.1);
 }
 
-TEST_CASE("a spring that gives way: k d up to its knee, on from there at k (1 - a), the same to both sides") {
+TEST_CASE("a piecewise spring: k d up to its threshold, slope k (1 - a) beyond, on both sides") {
   JointLaw law = spring();
   law.knee = 0.2;
   law.give = 0.4;
@@ -72,7 +72,7 @@ TEST_CASE("a spring that gives way: k d up to its knee, on from there at k (1 - 
   }
 }
 
-TEST_CASE("a dry contact carries its torque until it slips, and turns back through sticking") {
+TEST_CASE("a dry contact sticks up to its slip torque, and after each reversal") {
   const JointLaw law = spring();
   const JointSlider dry{JointLaw::sticking * 2, 0.4, 0};
   const JointMemory last{.angle = 0.2};
@@ -95,8 +95,7 @@ TEST_CASE("a dry contact carries its torque until it slips, and turns back throu
   CHECK(next(0.3, Contact::slips_down) == Contact::sticks);
 }
 
-TEST_CASE(
-    "a contact whose friction grows slips at tau (1 + growth |d|), and its torque is the slope of its work") {
+TEST_CASE("load-dependent friction slips at tau (1 + growth |d|); its torque is the derivative of its work") {
   const JointLaw law = spring();
   const JointSlider grows{2e5, 0.4, 0.8};
   const JointMemory last{.angle = -0.1};
@@ -114,7 +113,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("a contact with a profile carries its share of that, and its torque is the slope of its work") {
+TEST_CASE("a contact with a profile carries its fraction; its torque is the derivative of its work") {
   const JointLaw law = spring();
   const std::vector<FreeLaw::Knot> knots{{-0.3, 0.6}, {0, 0.2}, {0.2, 0.8}};
   const JointSlider contact{5, 1, {}, false, true, TorqueTable(knots)};
@@ -138,7 +137,7 @@ TEST_CASE("a contact with a profile carries its share of that, and its torque is
     }
 }
 
-TEST_CASE("a spring that is stiffer to one side") {
+TEST_CASE("an asymmetric spring") {
   JointLaw law = spring();
   law.asymmetry = 0.2;
   CHECK(law.elastic(0.1 + 0.3).value == close_to(2 * 1.2 * 0.3));
@@ -148,7 +147,7 @@ TEST_CASE("a spring that is stiffer to one side") {
 }
 
 TEST_CASE(
-    "beyond its yield a spring goes on at k / (1 + slope), comes back at k, and yields where it turned") {
+    "a yielding spring: k / (1 + slope) beyond yield, unloading at k, yielding again where it reversed") {
   JointLaw law = spring();
   law.yield = 0.5;
   law.flow = 0.25;
@@ -168,7 +167,7 @@ TEST_CASE(
   CHECK(law.elastic(0.1 + 0.35 + 0.1, memory).value == close_to(0.66 + 0.2 / 1.25));
 }
 
-TEST_CASE("a Maxwell arm forgets what it carried and takes what the joint turns") {
+TEST_CASE("a Maxwell arm relaxes and takes up the joint's rotation") {
   JointLaw law = spring();
   law.arm_stiffness[1] = 3;
   JointMemory last{.angle = 0.2};

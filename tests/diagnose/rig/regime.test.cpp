@@ -20,14 +20,14 @@ std::pair<Run, Trace> along_x(const std::vector<double>& x) {
 
 }  // namespace
 
-TEST_CASE("a cyclic test loads on either side and again in its second cycle") {
+TEST_CASE("a cyclic test loads in both directions, and again in its second cycle") {
   const auto [run, trace] = along_x({0, 1, 2, 1, 0, -1, -2, -1, 0, 1, 2});
   const auto forth = Regime::pre_critical, back = Regime::unloading;
   CHECK(regimes(run, trace) ==
         std::vector<Regime>{forth, forth, forth, back, back, forth, forth, back, back, forth, forth});
 }
 
-TEST_CASE("a rig that waits stays in its regime") {
+TEST_CASE("a waiting rig stays in its regime") {
   const auto [run, trace] = along_x({0, 1, 2, 2, 1, 1, 0});
   const auto forth = Regime::pre_critical, back = Regime::unloading;
   CHECK(regimes(run, trace) == std::vector<Regime>{forth, forth, forth, forth, back, back, back});

@@ -80,8 +80,8 @@ double stiffness(const Expansion<double, Bandwidth>& at, Eigen::Index i, Eigen::
   return apart > Bandwidth ? 0 : at.hessian(apart, std::min(i, j));
 }
 
-/// What holds of any shape and force: first derivatives of the energy and of the end point, second ones of
-/// the energy. A load beside the end point has a residual of its own.
+/// Derivatives at any shape and force: first ones of energy and end point, second ones of the energy. An
+/// eccentric load has a residual of its own.
 template <int Bandwidth>
 void check_derivatives(const Rig& rig) {
   const Loaded<Bandwidth> loaded(rig);
@@ -133,16 +133,14 @@ void check_balance(const Rig& rig) {
 
 }  // namespace
 
-TEST_CASE(
-    "what a rig misses is the slope of its energy less the force's work, and its stiffness the next slope") {
+TEST_CASE("the residual is the gradient of energy less work, the stiffness its derivative") {
   check_derivatives<1>(full_rig(false, false));
   check_derivatives<2>(full_rig(false, true));
   check_derivatives<2>(full_rig(true, false));
   check_derivatives<4>(full_rig(true, true));
 }
 
-TEST_CASE(
-    "beside the end point a load turns the last link, and its stiffness is the slope of what is missing") {
+TEST_CASE("an eccentric load turns the last link; its stiffness is the derivative of the residual") {
   for (const bool bending : {false, true}) {
     Rig rig = full_rig(bending, false);
     const Loaded<2> without(rig);
@@ -158,7 +156,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("residual and end point that are looked at alone are those of the whole expansion") {
+TEST_CASE("residual and end point alone equal those of the whole expansion") {
   check_balance<1>(full_rig(false, false));
   check_balance<2>(full_rig(true, false));
   check_balance<4>(full_rig(true, true));
@@ -185,7 +183,7 @@ TEST_CASE("a straight chain of rigid links under its weights, by hand") {
   CHECK(here.end_point.y == 0);
 }
 
-TEST_CASE("a link of one radius of curvature stores EI / 2 r^2 per length, and its end lies on the arc") {
+TEST_CASE("a link of constant curvature stores EI / 2 r^2 per length, and its end lies on the arc") {
   Rig rig = nominal_rig(three_links());
   rig.flexibility = 0.5;  // EI = 2
   Loaded<2> loaded(rig);

@@ -16,7 +16,7 @@ namespace {
 const std::vector<double> unloaded_shape{0.3, -0.5, 0.4};
 const Layout three_rigid_links{3, false, false, 0};
 
-/// A rig of three links without history, where it stands unloaded, and what its joints remember of that.
+/// A rig of three links without history in its unloaded posture, with the memory of its joints.
 struct StandingChain {
   explicit StandingChain(const Rig& rig, std::vector<double> shape = unloaded_shape)
       : on(rig, shape), unloaded(std::move(shape)), memory(3), solver(three_rigid_links, 40) {
@@ -120,7 +120,7 @@ class LeaningLink {
 
 }  // namespace
 
-TEST_CASE("where the end point is held, there it is, and every spring carries the moment of the force") {
+TEST_CASE("a held end point is at its place, and every spring carries the moment of the force") {
   StandingChain chain = unloaded_chain();
   const Vector2 start = chain.at.value;
   for (const Vector2& by : {Vector2(-0.03, 0), Vector2(-0.06, 0.02), Vector2(-0.02, -0.04), Vector2(0, 0)}) {
@@ -137,7 +137,7 @@ TEST_CASE("where the end point is held, there it is, and every spring carries th
   CHECK(std::hypot(chain.posture.force.x, chain.posture.force.y) < left_by_newton);
 }
 
-TEST_CASE("under a force the chain carries that force, and where it ends that force holds it too") {
+TEST_CASE("imposing a force, then its end point, gives the same equilibrium") {
   StandingChain loaded = unloaded_chain(), held = unloaded_chain();
   loaded.at = {Control::force, Vector2::Zero()};
   const Vector2 force(-2.5, 1);
@@ -151,7 +151,7 @@ TEST_CASE("under a force the chain carries that force, and where it ends that fo
   CHECK((Vector2(held.posture.force.x, held.posture.force.y) - force).norm() < 1e3 * left_by_newton);
 }
 
-TEST_CASE("one leap ends where forty strides do") {
+TEST_CASE("one large step ends where forty small ones do") {
   StandingChain leaps = unloaded_chain(), strides = unloaded_chain();
   const Vector2 start = leaps.at.value, by(-0.12, 0.05);
   REQUIRE(leaps.go({Control::end_point, start + by}));
@@ -160,9 +160,9 @@ TEST_CASE("one leap ends where forty strides do") {
   CHECK((leaps.posture.angle - strides.posture.angle).norm() < 10 * left_by_newton);
 }
 
-TEST_CASE("a nearly straight chain is held however far beside its end point the force acts") {
-  // Where the force acts on the other side of the chain than it bends to, the moment bends it back: held and
-  // unloaded it is unstable, and leaves that for where the force presses.
+TEST_CASE("a nearly straight chain is solved for any eccentricity of the force") {
+  // A force on the outer side of the bend turns it back: the unloaded held chain is unstable, and moves to
+  // the side to which the force pushes.
   for (const double e : {-0.08, -0.04, -0.02, -0.005, 0.005, 0.02, 0.04, 0.08}) {
     CAPTURE(e);
     Rig rig = nominal_rig(three_links());
@@ -180,14 +180,12 @@ TEST_CASE("a nearly straight chain is held however far beside its end point the 
   }
 }
 
-TEST_CASE("out of the reach of all links the end point gets nowhere") {
+TEST_CASE("an end point out of reach is not reached") {
   StandingChain chain = unloaded_chain();
   CHECK_FALSE(chain.go({Control::end_point, Vector2(0.61, 0)}));  // of 0.6 m
 }
 
-TEST_CASE(
-    "a rig that is the same stands where the one beside it does, to the bit; one that differs a little is "
-    "told to the square of that") {
+TEST_CASE("an equal neighbouring rig has the same posture to the bit, a different one to second order") {
   StandingChain chain = unloaded_chain();
   const Imposed to{Control::end_point, chain.at.value + Vector2(-0.05, 0.02)};
   REQUIRE(chain.go(to));
@@ -213,7 +211,7 @@ TEST_CASE(
   CHECK(small > 0.009 * large);
 }
 
-TEST_CASE("a link is followed to where its torques balance, across a snap to the other stable side") {
+TEST_CASE("a link is followed to equilibrium, across a snap to the other stable branch") {
   LeaningLink link(3);
   REQUIRE(link.push(-LeaningLink::pressed, 0));
   CHECK_FALSE(link.snapped());
@@ -231,7 +229,7 @@ TEST_CASE("a link is followed to where its torques balance, across a snap to the
   CHECK(std::abs(link.excess()) < 1e-13);
 }
 
-TEST_CASE("a link that is thrown over again and again is given up, the later the more readings were told") {
+TEST_CASE("a link that snaps repeatedly is given up, later where there are more readings") {
   const auto throws = [](std::size_t readings) {
     LeaningLink link(readings);
     int count = 0;

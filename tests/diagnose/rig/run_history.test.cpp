@@ -51,7 +51,7 @@ Experiment fine_cycle() {
 
 }  // namespace
 
-TEST_CASE("without friction the work of the environment is stored") {
+TEST_CASE("without friction the work of the load is stored") {
   const Experiment experiment = fine_cycle();
   const Trace trace = predict(Study(experiment), {}, {}).runs[0];
   const double stored = elastic_energy(experiment, trace, 400);
@@ -59,7 +59,7 @@ TEST_CASE("without friction the work of the environment is stored") {
   CHECK(work(trace, 0, 800) == doctest::Approx(0).scale(stored).epsilon(1e-6));
 }
 
-TEST_CASE("dry friction dissipates tau_c times the way of every joint, and no joint carries more") {
+TEST_CASE("dry friction dissipates tau_c times the path of every joint, and no contact carries more") {
   const Experiment experiment = fine_cycle();
   const double tau_c = 0.03;
   const Trace trace = predict(Study(experiment), only("joint_friction"), {tau_c}).runs[0];
@@ -110,7 +110,7 @@ TEST_CASE("a joint with play turns freely by b before it carries") {
   }
 }
 
-TEST_CASE("where a run leads does not depend on how often it is read") {
+TEST_CASE("the end of a run does not depend on its number of readings") {
   // Chains of two to five links of random lengths, springs and rest angles, pressed by up to half of their
   // length: where 400 readings show no snap, one or three lead to the same angles.
   std::mt19937 random(11);
@@ -147,7 +147,7 @@ TEST_CASE("where a run leads does not depend on how often it is read") {
   CHECK(compared > 150);
 }
 
-TEST_CASE("what the first of a force throws out of its play comes to rest downhill") {
+TEST_CASE("a joint pushed out of its play comes to rest at lower energy") {
   // Inside its play a joint has no stiffness, and a chain that is nearly straight none under a pressing force
   // either: it falls to a side of the play. Along the way of a stable chain, and where it snaps, its energy
   // under the load that it comes to, Phi - F . p, does not rise; 1e-9 of it is what Newton's method leaves.
@@ -185,7 +185,7 @@ TEST_CASE("what the first of a force throws out of its play comes to rest downhi
   }
 }
 
-TEST_CASE("Maxwell arms stiffen a fast press by 1 + m and let a slow one go") {
+TEST_CASE("Maxwell arms stiffen fast loading by 1 + m, and slow loading not at all") {
   const double m = 0.4, tau = 10;
   const auto first_force = [&](double interval, double share) {
     Experiment experiment = three_links();
@@ -210,7 +210,7 @@ TEST_CASE("a held chain relaxes exponentially from 1 + m to the nominal force") 
   const double m = 0.4, tau = 10;
   const Trace trace = predict(Study(experiment), only("viscoelasticity"), {m, std::log(tau)}).runs[0];
   const double nominal = predict(Study(experiment), {}, {}).runs[0](1, column_Fx);
-  // All arms relax alike, so the force scales and the posture stays.
+  // All arms relax at one rate, so the force scales and the posture stays.
   for (Eigen::Index row = 1; row < trace.rows(); ++row) {
     const double held = 5.0 * static_cast<double>(row - 1);
     CHECK(trace(row, column_Fx) == close_to((1 + m * std::exp(-held / tau)) * nominal).epsilon(1e-5));
@@ -239,7 +239,7 @@ TEST_CASE("a bending link sags under its own weight: W L^3 / 8 EI beside the joi
   CHECK(angle(trace, 1, 0) / (-weight * 0.5 / (2 * 2.0)) == close_to(1).epsilon(1e-6));
 }
 
-TEST_CASE("a chain pushed over snaps to the other side and stays in balance") {
+TEST_CASE("a chain pushed over snaps to the other branch and stays in equilibrium") {
   Experiment experiment = three_links();
   experiment.link_length = {0.5};
   experiment.joint_stiffness = {1.0};
@@ -279,7 +279,7 @@ TEST_CASE("a coarse step ends on the branch of the fine ones") {
   }
 }
 
-TEST_CASE("dry joints that all slip at once find who sticks") {
+TEST_CASE("sticking joints are found where all slip at once") {
   Experiment experiment = three_links();
   experiment.link_length = {0.2313, 0.2632, 0.2143, 0.2747};
   experiment.joint_stiffness = {0.44, 0.339, 0.262, 0.202};
@@ -305,7 +305,7 @@ TEST_CASE("dry joints that all slip at once find who sticks") {
   }
 }
 
-TEST_CASE("an end point out of reach is said, not predicted") {
+TEST_CASE("an end point out of reach is reported, not predicted") {
   Experiment experiment = three_links();
   press(experiment, {0.3, -0.5, 0.4}, {0.2, 0}, 4, false);
   press(experiment, {0.3, -0.5, 0.4}, {-0.02, 0}, 4, false);
@@ -349,7 +349,7 @@ TEST_CASE("effects act together: friction, play, weight, compliance and a load c
   }
 }
 
-TEST_CASE("joints that slip are followed between readings: few readings tell what many do") {
+TEST_CASE("slipping joints are followed between readings: few readings predict what many do") {
   // Joints that slip one after the other: in one step a reading some would slip too far.
   Experiment many = three_links();
   press(many, {0.9, -1.3, 1.1}, {-0.12, 0.05}, 480, true, 0.05);

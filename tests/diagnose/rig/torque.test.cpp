@@ -37,7 +37,7 @@ JointLaw plain_spring() {
 
 }  // namespace
 
-TEST_CASE("a table of torques is straight between its knots and on beyond them, and stores its area") {
+TEST_CASE("a torque table is piecewise linear, extrapolates, and stores its area") {
   const auto check = [](double d, double value, double slope, double energy) {
     CAPTURE(d);
     const Torque found = crooked.at(d);
@@ -59,7 +59,7 @@ TEST_CASE("a table of torques is straight between its knots and on beyond them, 
   CHECK(level.at(0.8).energy == close_to(1));
 }
 
-TEST_CASE("the work of a share of a table is that of its parts, either way") {
+TEST_CASE("the work of a fraction of a table is that of its parts, in both directions") {
   // half of it over one straight part: 0.5 (1 + 2) / 2 0.2
   CHECK(crooked.work(-0.2, 0, 0.5, 0.5) == close_to(0.15));
   CHECK(crooked.work(0, -0.2, 0.5, 0.5) == close_to(-0.15));
@@ -83,7 +83,7 @@ TEST_CASE("torques add value, slope and energy") {
   CHECK(sum.energy == 33);
 }
 
-TEST_CASE("what a joint stores is the work of its torque, with everything that its spring may have") {
+TEST_CASE("the energy of a joint is the work of its torque, with every term of its law") {
   JointLaw law = plain_spring();
   law.hardening = 3;
   law.asymmetry = 0.2;
@@ -111,12 +111,12 @@ TEST_CASE("what a joint stores is the work of its torque, with everything that i
         close_to(-1.6 * (0.45 * (1 + 3 * 0.45 * 0.45) - 0.4 * 0.35) - 7 * 0.2 + (1 - 5 * 0.3) + 0.25));
 }
 
-TEST_CASE("a spring that yielded at once, and one that has moved its rest, store what they keep") {
+TEST_CASE("springs that yielded store their elastic energy") {
   JointLaw law = plain_spring();
   law.yield = 0.5;
   law.flow = 0.25;
   const auto torque = [&](double q, const JointMemory& last) { return law.elastic(q, last).value; };
-  // What moves with the rest angle takes flow times what the spring keeps of it.
+  // Terms that move with the rest angle store `flow` times the torque of the spring.
   for (const double d : {-0.6, -0.2, 0.2, 0.6}) {
     CAPTURE(d);
     const JointMemory fresh;
@@ -147,7 +147,7 @@ TEST_CASE("a spring that yielded at once, and one that has moved its rest, store
   CHECK(slack.elastic(2).value == 0);
 }
 
-TEST_CASE("what a slider slips at grows with the deflection, and goes with side and speed") {
+TEST_CASE("the slip torque depends on deflection, direction and speed") {
   JointSlider slider;
   slider.yield = 0.4;
   CHECK(slider.acts());
@@ -167,7 +167,8 @@ TEST_CASE("what a slider slips at grows with the deflection, and goes with side 
   CHECK(slider.lever(-0.4) == -0.4);
 }
 
-TEST_CASE("a slider that slips does the work of its torque since the last reading, also across its rest") {
+TEST_CASE(
+    "a slipping slider does the work of its torque since the last reading, also across its rest angle") {
   const JointLaw law = plain_spring();
   JointSlider slider;
   slider.stiffness = 50;
@@ -194,7 +195,7 @@ TEST_CASE("a slider that slips does the work of its torque since the last readin
   CHECK((none.value == 0 && none.slope == 0 && none.energy == 0));
 }
 
-TEST_CASE("a contact slips where its trial is beyond its torque by more than rounding, and stops within it") {
+TEST_CASE("a contact slips where its trial torque exceeds the limit by more than rounding") {
   const JointLaw law = plain_spring();
   JointSlider slider;
   slider.stiffness = 10;
@@ -217,7 +218,7 @@ TEST_CASE("a contact slips where its trial is beyond its torque by more than rou
   CHECK(law.next(slider, 0.15, 0.3, last, Contact::sticks) == Contact::sticks);
 }
 
-TEST_CASE("a slider that widens does at the joint the work of its torque there") {
+TEST_CASE("a load-dependent slider does the work of its torque") {
   const JointLaw law = plain_spring();
   JointSlider slider;
   slider.stiffness = 50;
@@ -236,7 +237,7 @@ TEST_CASE("a slider that widens does at the joint the work of its torque there")
   CHECK(law.dry(slider, 0.1, 0.5, last, Contact::slips_down).value == close_to(-0.4 * 0.4));
 }
 
-TEST_CASE("a Maxwell arm stores what it carried and what it is turned") {
+TEST_CASE("a Maxwell arm stores its earlier torque and the joint's rotation") {
   JointLaw law = plain_spring();
   law.arm_stiffness[2] = 3;
   JointMemory last;

@@ -37,7 +37,7 @@ void check_beside(const char* what, const Rig& changed, double step) {
 
 }  // namespace
 
-TEST_CASE("what a rig does not have is varied beside it: coupled joints, friction") {
+TEST_CASE("variations may add what the rig lacks: coupled joints, friction") {
   const Rig nominal = Study(short_press()).nominal_rig();
   Rig coupled = nominal;
   coupled.coupling = 1e-5;
@@ -50,7 +50,7 @@ TEST_CASE("what a rig does not have is varied beside it: coupled joints, frictio
   check_beside("stiffness", stiffer, 1e-5);
 }
 
-TEST_CASE("a variation that is none has no derivative; several stand in their order") {
+TEST_CASE("a zero variation has no derivative; several keep their order") {
   const Experiment experiment = short_press();
   const Rig nominal = Study(experiment).nominal_rig();
   Rig stiffer = nominal, biased = nominal;
@@ -67,7 +67,7 @@ TEST_CASE("a variation that is none has no derivative; several stand in their or
   CHECK(all.sensitivity[0][0].col(column_Fx).abs().maxCoeff() > 0.01);
 }
 
-TEST_CASE("a reading whose command is not known is passed over, and the next goes on from the one before") {
+TEST_CASE("a reading without a command is skipped, and the next continues from the last") {
   Experiment experiment = short_press();
   const Rig nominal = Study(experiment).nominal_rig();
   const Prediction whole = simulate(experiment, nominal, {});

@@ -24,11 +24,11 @@ Experiment ordinary_bench() {
 
 }  // namespace
 
-TEST_CASE("ordinary readings are not odd") {
+TEST_CASE("ordinary readings have no anomalies") {
   for (const std::string& one : anomalies(ordinary_bench())) FAIL_CHECK(one);
 }
 
-TEST_CASE("each anomaly is remarked on, with its run") {
+TEST_CASE("every anomaly is reported with its run") {
   const Experiment ordinary = ordinary_bench();
   Experiment experiment = ordinary;
   std::vector<Reading>* press = &experiment.runs[0].readings;
@@ -66,8 +66,8 @@ TEST_CASE("each anomaly is remarked on, with its run") {
 
 namespace {
 
-/// A run at the unloaded end point of twelve readings, two seconds apart, whose every channel goes up and
-/// down by its noise: nothing is odd.
+/// A run of twelve readings at the unloaded end point, two seconds apart, whose channels alternate by their
+/// noise: no anomalies.
 Experiment quiet_run() {
   Experiment experiment = three_links();
   experiment.noise = {1e-3, 1e-3, 0.01, 0.01, 1e-3};
@@ -93,7 +93,7 @@ using Remarks = std::vector<std::string>;
 
 }  // namespace
 
-TEST_CASE("how long a pause, how few values, how far a start and how large a force are odd, to both sides") {
+TEST_CASE("thresholds of anomalies: pauses, missing values, starts and forces, from both sides") {
   const auto nothing = Remarks{};
   CHECK(remarked([](Readings&) {}) == nothing);
   const auto pause = [](double seconds) {

@@ -28,20 +28,21 @@ Spoil forces_over(double unit) {
   return each_reading([unit](Reading& r) { r.Fx /= unit, r.Fy /= unit; });
 }
 
-std::vector<std::string> names(const SuspectedConvention& doubt) {
-  std::vector<std::string> all{doubt.what + " like " + doubt.looks_like};
-  all.insert(all.end(), doubt.alternatives.begin(), doubt.alternatives.end());
+std::vector<std::string> names(const SuspectedConvention& suspected) {
+  std::vector<std::string> all{suspected.what + " like " + suspected.looks_like};
+  all.insert(all.end(), suspected.alternatives.begin(), suspected.alternatives.end());
   return all;
 }
 
-/// A full bench whose joint 2 is a tenth stiffer than believed, so that there is a gap beside the slip.
+/// A full bench whose joint 2 is a tenth stiffer than nominal, so that there is a gap beside the wrong
+/// convention.
 Experiment stiffer_bench() {
   return measured(full_bench(), only("joint_stiffness", 2), {0.1}, 5);
 }
 
 }  // namespace
 
-TEST_CASE("a slip of unit, sign, axis or order is named beside a gap") {
+TEST_CASE("a wrong unit, sign, axis or order is named where there is a gap") {
   constexpr double degree = 57.29577951308232;
   const std::vector<std::pair<std::string, Spoil>> slips{
       {"Fx, Fy like kgf", forces_over(9.80665)},
@@ -81,16 +82,16 @@ TEST_CASE("a slip of unit, sign, axis or order is named beside a gap") {
     CAPTURE(expected);
     Experiment experiment = stiffer_bench();
     spoil(experiment);
-    const auto doubt = suspected_convention(Study(experiment));
-    REQUIRE(doubt);
-    const std::vector<std::string> all = names(*doubt);
+    const auto suspected = suspected_convention(Study(experiment));
+    REQUIRE(suspected);
+    const std::vector<std::string> all = names(*suspected);
     CAPTURE(all.front());
     CHECK(std::find(all.begin(), all.end(), expected) != all.end());
     CHECK(all.size() <= 5);
   }
 }
 
-TEST_CASE("axes and angles that place where runs start are named beside any gap") {
+TEST_CASE("axes and angles that explain the first readings are named beside any gap") {
   // Two joints a third as stiff as believed, one that bends the chain at rest and a load cell that reads
   // half.
   const std::vector<std::pair<std::string, Spoil>> slips{
@@ -108,27 +109,27 @@ TEST_CASE("axes and angles that place where runs start are named beside any gap"
     CAPTURE(expected);
     Experiment experiment = gap;
     spoil(experiment);
-    const auto doubt = suspected_convention(Study(experiment));
-    REQUIRE(doubt);
-    const std::vector<std::string> all = names(*doubt);
+    const auto suspected = suspected_convention(Study(experiment));
+    REQUIRE(suspected);
+    const std::vector<std::string> all = names(*suspected);
     CHECK(std::find(all.begin(), all.end(), expected) != all.end());
-    CHECK(doubt->start_error_as_read > 0.1);
-    CHECK(doubt->start < 0.01 * doubt->start_error_as_read);
+    CHECK(suspected->start_error_as_read > 0.1);
+    CHECK(suspected->start < 0.01 * suspected->start_error_as_read);
   }
 }
 
-TEST_CASE("axes are named where one of two forces alone is measured") {
+TEST_CASE("axes are named where only one force component is measured") {
   Experiment experiment = stiffer_bench();
   for (Run& run : experiment.runs)
     if (run.holds_end_point())
       for (Reading& r : run.readings) r.Fx = std::exchange(r.Fy, std::numeric_limits<double>::quiet_NaN());
-  const auto doubt = suspected_convention(Study(experiment));
-  REQUIRE(doubt);
-  const std::vector<std::string> all = names(*doubt);
+  const auto suspected = suspected_convention(Study(experiment));
+  REQUIRE(suspected);
+  const std::vector<std::string> all = names(*suspected);
   CHECK(std::find(all.begin(), all.end(), "Fx, Fy like forces with x and y swapped") != all.end());
 }
 
-TEST_CASE("a straight column that buckles to the other side, and is softer than believed, is not mirrored") {
+TEST_CASE("a straight column on the other branch, softer than believed, is not mirrored") {
   Experiment column = three_links();
   column.joint_stiffness = {2.0, 1.5, 1.0};
   load(column, {0, 0, 0}, {0, 0}, {-3.2, 0}, 30);
@@ -148,24 +149,23 @@ TEST_CASE("a factor of a thousand is named beside a gap of half the forces") {
     CAPTURE(stiffer);
     Experiment experiment = measured(full_bench(), only("stiffness_scale"), {stiffer}, 5);
     forces_over(1e3)(experiment);
-    const auto doubt = suspected_convention(Study(experiment));
-    REQUIRE(doubt);
-    CHECK(doubt->looks_like == "kN");
+    const auto suspected = suspected_convention(Study(experiment));
+    REQUIRE(suspected);
+    CHECK(suspected->looks_like == "kN");
   }
 }
 
 TEST_CASE("one run in another unit is named alone") {
   Experiment experiment = stiffer_bench();
   for (Reading& r : experiment.runs[1].readings) r.Fx /= 9.80665, r.Fy /= 9.80665;
-  const auto doubt = suspected_convention(Study(experiment));
-  REQUIRE(doubt);
-  CHECK(doubt->runs == std::vector<std::string>{"press-2"});
-  CHECK(doubt->looks_like == "kgf");
+  const auto suspected = suspected_convention(Study(experiment));
+  REQUIRE(suspected);
+  CHECK(suspected->runs == std::vector<std::string>{"press-2"});
+  CHECK(suspected->looks_like == "kgf");
 }
 
 TEST_CASE(
-    "what other runs refute is asked of one where it mends that nearly whole, and of all where it mends "
-    "much") {
+    "a convention refuted by other runs is suspected in one run if it removes nearly all, in all if much") {
   const auto asked = [](double share, std::size_t from) {
     Experiment experiment = stiffer_bench();
     for (std::size_t r = from; r < experiment.runs.size(); ++r)
@@ -178,7 +178,7 @@ TEST_CASE(
   CHECK_FALSE(asked(0.7, 1));
 }
 
-TEST_CASE("a run alone that looks mirrored went to its other side") {
+TEST_CASE("a single run that looks mirrored is on its other branch") {
   Experiment experiment = measured(full_bench(), {}, {}, 5);
   const auto mirror = [](Run& run) {
     for (Reading& reading : run.readings) reading.Fy *= -1;
@@ -189,26 +189,26 @@ TEST_CASE("a run alone that looks mirrored went to its other side") {
   CHECK(suspected_convention(Study(experiment)));
 }
 
-TEST_CASE("the question says what the nominal model misses now and then") {
+TEST_CASE("the question states the misfit as read and as converted") {
   Experiment experiment = stiffer_bench();
   forces_over(-1)(experiment);
-  const auto doubt = suspected_convention(Study(experiment));
-  REQUIRE(doubt);
+  const auto suspected = suspected_convention(Study(experiment));
+  REQUIRE(suspected);
   // Forces of the opposite sign are off by nearly twice themselves, the positions that they press to by less.
-  CHECK(doubt->misfit_as_read > 1.5);
-  CHECK(doubt->left < 0.15);
+  CHECK(suspected->misfit_as_read > 1.5);
+  CHECK(suspected->left < 0.15);
   try {
     require_conventions(Study(experiment));
     FAIL("no question");
   } catch (const Error& error) {
-    REQUIRE(doubt->left < 0.1);
+    REQUIRE(suspected->left < 0.1);
     const std::string said = fmt::format("(the misfit then falls from {:.0f} % to {:.2g} %)",
-                                         100 * doubt->misfit_as_read, 100 * doubt->left);
+                                         100 * suspected->misfit_as_read, 100 * suspected->left);
     CHECK(std::string(error.what()).find(said) != std::string::npos);
   }
 }
 
-TEST_CASE("stiffnesses six or four times too large are no unit") {
+TEST_CASE("stiffnesses six or four times too large are not a unit") {
   for (const double factor : {6.0, 4.0, 2.0, 1 / 6.0, 1 / 4.0}) {
     CAPTURE(factor);
     Experiment experiment = stiffer_bench();
@@ -226,14 +226,14 @@ void check_softer_is_not_asked(const Experiment& bench, const std::vector<double
   }
 }
 
-TEST_CASE("a first joint that is much softer than it was believed is no list from the end point on") {
+TEST_CASE("a much softer first joint is not a reversed list") {
   Experiment experiment = three_links();
   experiment.joint_stiffness = {3.6, 2.9, 2.2};
   for (const double first : {0.7, -0.15, 0.0}) load(experiment, {first, 0.1, 0.15}, {0, 0}, {0, -1.5}, 15);
   check_softer_is_not_asked(experiment, {-0.35, -0.45, -0.55});
 }
 
-TEST_CASE("a softer first joint is no list from the end point on where a run starts elsewhere either") {
+TEST_CASE("a softer first joint is not a reversed list where a run also starts elsewhere") {
   Experiment experiment = three_links();
   experiment.joint_stiffness = {3.6, 2.9, 2.2};
   press(experiment, {0.5, 0.4, 0.4}, {0.055, -0.05}, 15, false);
@@ -241,17 +241,16 @@ TEST_CASE("a softer first joint is no list from the end point on where a run sta
   check_softer_is_not_asked(experiment, {-0.4, -0.45, -0.5});
 }
 
-TEST_CASE("links that are listed from the end point on are named beside a gap") {
+TEST_CASE("reversed lists of links are named where there is a gap") {
   Experiment experiment = stiffer_bench();
   std::reverse(experiment.link_length.begin(), experiment.link_length.end());
-  const auto doubt = suspected_convention(Study(experiment));
-  REQUIRE(doubt);
-  CHECK(names(*doubt).front() == "link_length like a list from the end point on");
-  CHECK(doubt->remedy == "link_length in reverse");
+  const auto suspected = suspected_convention(Study(experiment));
+  REQUIRE(suspected);
+  CHECK(names(*suspected).front() == "link_length like a list from the end point on");
+  CHECK(suspected->remedy == "link_length in reverse");
 }
 
-TEST_CASE(
-    "a whole chain that is listed from the end point on is named beside a gap, and as it was when mended") {
+TEST_CASE("a wholly reversed chain is named where there is a gap, and restored by the remedy") {
   using List = std::vector<double>;
   const Experiment bench = stiffer_bench();
   for (const double sense : {1.0, -1.0}) {
@@ -285,7 +284,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("what to write for a chain that is listed from the end point on says all that is in reverse") {
+TEST_CASE("the remedy for a reversed chain names every reversed list") {
   Experiment experiment = full_bench();
   experiment.link_mass = {0.1, 0.2, 0.3};
   std::vector<std::string> remedies;
@@ -299,7 +298,7 @@ TEST_CASE("what to write for a chain that is listed from the end point on says a
                                              rest + turned + q + ", columns.q.sign = -1"});
 }
 
-TEST_CASE("a chain that is the same from both ends has no order to ask about") {
+TEST_CASE("a symmetric chain has no order to ask about") {
   Experiment experiment = full_bench();
   experiment.link_length = {0.2, 0.2, 0.2};
   experiment.joint_stiffness = {1.5, 1.0, 1.5};
@@ -307,7 +306,7 @@ TEST_CASE("a chain that is the same from both ends has no order to ask about") {
     CHECK(one.looks_like.find("from the end point on") == std::string::npos);
 }
 
-TEST_CASE("tapered chains that are otherwise at one end, or were machined so, are no lists from the end") {
+TEST_CASE("tapered chains with a different end, or with tolerances, are not reversed lists") {
   std::mt19937 engine(11);
   std::normal_distribution<double> normal;
   const auto tolerance = [&](std::vector<double>& list, double spread) {
@@ -332,12 +331,12 @@ TEST_CASE("tapered chains that are otherwise at one end, or were machined so, ar
     press(real, {-0.4, 0.3, 0.5}, {-0.05, 0.03}, 15, false);
     load(real, {0.2, 0.3, -0.3}, {0, 0}, {-1.0, 0.5}, 15);
     believed.runs = measured(real, {}, {}, 5).runs;
-    const auto doubt = suspected_convention(Study(believed));
-    CHECK((!doubt || doubt->looks_like.find("from the end point on") == std::string::npos));
+    const auto suspected = suspected_convention(Study(believed));
+    CHECK((!suspected || suspected->looks_like.find("from the end point on") == std::string::npos));
   }
 }
 
-TEST_CASE("readings that cannot be are met with the unit that they look like") {
+TEST_CASE("impossible readings are refused with the unit that they resemble") {
   const auto said = [](const Spoil& spoil) -> std::string {
     Experiment experiment = stiffer_bench();
     spoil(experiment);
@@ -364,19 +363,19 @@ TEST_CASE("readings that cannot be are met with the unit that they look like") {
              "; q looks like degrees: if so, columns.q.unit = \"deg\""));
 }
 
-TEST_CASE("what is declared in a unit is asked about in the others") {
+TEST_CASE("a declared unit is tested against the others") {
   Experiment experiment = stiffer_bench();
   for (Run& run : experiment.runs) run.origins = {{"Fx", "Kraft", "kgf", 9.80665}};
   forces_over(1 / 9.80665)(experiment);  // newtons, said to be kgf
-  const auto doubt = suspected_convention(Study(experiment));
-  REQUIRE(doubt);
-  CHECK(doubt->what == "Fx, Fy");
-  CHECK(doubt->looks_like == "N");
-  CHECK(doubt->expected == "kgf");
-  CHECK(doubt->remedy == "columns.Fx.unit and columns.Fy.unit = \"N\"");
+  const auto suspected = suspected_convention(Study(experiment));
+  REQUIRE(suspected);
+  CHECK(suspected->what == "Fx, Fy");
+  CHECK(suspected->looks_like == "N");
+  CHECK(suspected->expected == "kgf");
+  CHECK(suspected->remedy == "columns.Fx.unit and columns.Fy.unit = \"N\"");
 }
 
-TEST_CASE("no committed experiment is asked about") {
+TEST_CASE("no committed experiment raises a question") {
   const std::filesystem::path folder = std::filesystem::path(PLUMBLINE_SOURCE_DIR) / "tests/experiments";
   int asked = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {

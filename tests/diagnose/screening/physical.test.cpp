@@ -65,7 +65,7 @@ TEST_CASE("a commanded end point lies within the reach, to a ten-thousandth of i
   CHECK(refused(experiment).find("reading 3: found an end point 0.76 m") != std::string::npos);
 }
 
-TEST_CASE("a joint has no thousands of turns at rest") {
+TEST_CASE("a rest angle of thousands of turns is refused") {
   Experiment experiment = full_bench();
   for (const std::size_t joint : {0U, 2U}) {
     const double before = std::exchange(experiment.runs[1].rest[joint], -9e3);
@@ -91,8 +91,7 @@ TEST_CASE("a folded chain cannot come nearer than its longest link exceeds the o
         "what the links reach when folded");
 }
 
-TEST_CASE(
-    "angles that put most end points farther than a quarter of the chain from where they are, are none") {
+TEST_CASE("angles that put most end points more than a quarter of the chain away are refused") {
   Experiment experiment = straight_bench();
   CHECK(refused(experiment) == "");  // all angles are zero: 0.6 m
   std::vector<Reading>& readings = experiment.runs[0].readings;
@@ -110,7 +109,7 @@ TEST_CASE(
   CHECK(refused(experiment).find("joint angles that put the end point 0.155") != std::string::npos);
 }
 
-TEST_CASE("what is read has a noise, and one above the rounding of its size") {
+TEST_CASE("measured channels have a noise above their rounding") {
   Experiment experiment = straight_bench();
   experiment.noise.q = 0;
   CHECK(refused(experiment) ==
@@ -150,7 +149,7 @@ TEST_CASE("what is read has a noise, and one above the rounding of its size") {
   CHECK(refused(large) == "");
 }
 
-TEST_CASE("three values are measured at least, and two joints are passive at most") {
+TEST_CASE("at least three measured values, at most two passive joints") {
   Experiment experiment = straight_bench();
   std::vector<Reading>& readings = experiment.runs[0].readings;
   for (Reading& r : readings) r.q = {}, r.Fx = r.Fy = nan_value();
@@ -168,7 +167,7 @@ TEST_CASE("three values are measured at least, and two joints are passive at mos
         "mechanism even with its end point held");
 }
 
-TEST_CASE("a bench before any data has a noise of something that each run would measure") {
+TEST_CASE("a plan declares the noise of some channel of every run") {
   Experiment experiment = straight_bench();
   const auto only_noise = [&](const Noise& noise) {
     experiment.noise = noise;

@@ -3,11 +3,9 @@
 
 #include <chrono>
 #include <filesystem>
-#include <plumbline/base/error.hpp>
 
 #include "diagnose/bench/read_experiment.hpp"
-#include "diagnose/screening/conventions.hpp"
-#include "diagnose/screening/physical.hpp"
+#include "tests/diagnose/screening/question.hpp"
 #include "tests/diagnose/screening/slips.hpp"
 
 using namespace plumbline;
@@ -22,17 +20,6 @@ std::vector<Experiment> committed_experiments() {
   for (const auto& entry : std::filesystem::directory_iterator(folder))
     if (entry.is_directory()) all.push_back(read_experiment(entry.path()));
   return all;
-}
-
-/// What is said before any fit: the first thing named, and whatever else; empty where nothing is.
-std::string question(const Experiment& experiment) {
-  try {
-    require_physical(experiment);
-    require_conventions(Study(experiment));
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
 }
 
 /// Whether the question names the slip: "…, Fx, Fy: found what looks like kgf, or joint_stiffness like …"; of
@@ -126,27 +113,26 @@ std::vector<Slip> slips_of_whole_chains() {
 
 }  // namespace
 
-TEST_CASE("planted slips of units are asked about, and what is asked is right" *
-          doctest::test_suite("long")) {
+TEST_CASE("planted wrong units raise a question, and the right one" * doctest::test_suite("long")) {
   const Tally sum = plant_all(slips_of_units());
   CHECK(sum.asked > 0.85 * sum.planted);
   CHECK(sum.right > 0.95 * sum.asked);
   CHECK(sum.first > 0.9 * sum.right);
 }
 
-TEST_CASE("planted slips of axes are asked about, and what is asked is right") {
+TEST_CASE("planted wrong axes raise a question, and the right one") {
   const Tally sum = plant_all(slips_of_axes());
   CHECK(sum.asked > 0.9 * sum.planted);
   CHECK(sum.right > 0.9 * sum.asked);
 }
 
-TEST_CASE("planted slips of joints are asked about, and what is asked is right") {
+TEST_CASE("planted wrong conventions of joints raise a question, and the right one") {
   const Tally sum = plant_all(slips_of_joints());
   CHECK(sum.asked > 0.7 * sum.planted);
   CHECK(sum.right > 0.9 * sum.asked);
 }
 
-TEST_CASE("planted lists of whole chains from the end point on are asked about, and what is asked is right") {
+TEST_CASE("planted reversed chains raise a question, and the right one") {
   const Tally sum = plant_all(slips_of_whole_chains());
   CHECK(sum.planted >= 30);
   CHECK(sum.asked > 0.8 * sum.planted);
@@ -154,7 +140,7 @@ TEST_CASE("planted lists of whole chains from the end point on are asked about, 
   CHECK(sum.first > 0.8 * sum.right);
 }
 
-TEST_CASE("planted lists of links from the end point on are asked about where they differ, and rightly") {
+TEST_CASE("planted reversed lists of links raise a question where they differ, and the right one") {
   const Tally sum = plant_all({{"link_length like a list from the end point on", [](Experiment& e) {
                                   std::reverse(e.link_length.begin(), e.link_length.end());
                                 }}});
@@ -163,8 +149,7 @@ TEST_CASE("planted lists of links from the end point on are asked about where th
   CHECK(sum.right > 0.9 * sum.asked);
 }
 
-TEST_CASE(
-    "one joint that is counted the other way is asked about where it is bent, and what is asked is right") {
+TEST_CASE("a joint of opposite sign raises a question where it is bent, and the right one") {
   const auto turned = [](std::vector<double>& q) { q[1] *= -1; };
   const auto turned_reading = each_reading([&](Reading& r) { turned(r.q); });
   const std::vector<Slip> slips{{"rest of joint 2 like an angle of the opposite sign", each_rest(turned)},

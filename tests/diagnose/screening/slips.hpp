@@ -14,7 +14,7 @@ namespace plumbline::diagnose::test {
 
 using Spoil = std::function<void(Experiment&)>;
 
-/// What a question about it has to name, and how it is made.
+/// A planted wrong convention: the name that the question must contain, and its construction.
 struct Slip {
   std::string expected;  ///< "Fx, Fy like kgf"
   Spoil spoil;

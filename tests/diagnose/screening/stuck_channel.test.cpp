@@ -2,12 +2,9 @@
 
 #include <doctest/doctest.h>
 
-#include <plumbline/base/error.hpp>
-
-#include "diagnose/screening/conventions.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
-#include "tests/diagnose/screening/slips.hpp"
+#include "tests/diagnose/screening/question.hpp"
 
 using namespace plumbline;
 using namespace plumbline::diagnose;
@@ -15,7 +12,7 @@ using namespace plumbline::diagnose::test;
 
 namespace {
 
-/// Pressed twice by three centimetres, as the nominal model goes, with noise of the declared size.
+/// Two presses of three centimetres of the nominal model, with noise of the declared size.
 Experiment still_bench(int steps = 10) {
   Experiment experiment = three_links();
   press(experiment, {0.3, -0.5, 0.4}, {-0.03, 0}, steps, false);
@@ -29,22 +26,13 @@ void hold(Run& run, const Channel& channel, double value) {
 
 const Channel Fy{Channel::Name::Fy};
 
-std::string question(const Experiment& experiment) {
-  try {
-    require_conventions(Study(experiment));
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
-}
-
 bool says(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
 }  // namespace
 
-TEST_CASE("a column of noughts is asked about, in all runs or in those that have it, and no other") {
+TEST_CASE("a column of zeros raises a question, in all runs or in those that have it") {
   Experiment experiment = still_bench();
   CHECK_FALSE(stuck_channel(Study(experiment)));
   hold(experiment.runs[1], Fy, 0);
@@ -70,7 +58,7 @@ TEST_CASE("a column of noughts is asked about, in all runs or in those that have
   CHECK(says(question(experiment), "Fy: found one value a run in all 22 readings"));
 }
 
-TEST_CASE("an angle that stands still is asked about, by its name") {
+TEST_CASE("a constant angle raises a question with its name") {
   Experiment experiment = still_bench();
   const Channel q2{Channel::Name::q, 1};
   hold(experiment.runs[0], q2, 0);
@@ -78,7 +66,7 @@ TEST_CASE("an angle that stands still is asked about, by its name") {
   CHECK(says(question(experiment), "three links, q2: found 0 rad in all 22 readings"));
 }
 
-TEST_CASE("nothing is asked of seven readings, of readings that are empty, nor of one that moves") {
+TEST_CASE("seven readings, missing ones, and a moving channel raise no question") {
   const auto held = [](int steps) {
     Experiment experiment = still_bench(steps);
     for (Run& run : experiment.runs) hold(run, Fy, 0.01);
@@ -98,7 +86,7 @@ TEST_CASE("nothing is asked of seven readings, of readings that are empty, nor o
   CHECK_FALSE(stuck_channel(Study(experiment)));
 }
 
-TEST_CASE("a channel may stand still where the nominal model goes through twenty times its noise or less") {
+TEST_CASE("a channel may be constant where the nominal model spans at most twenty times its noise") {
   Experiment experiment = still_bench();
   for (Run& run : experiment.runs) hold(run, Fy, 0);
   const auto found = stuck_channel(Study(experiment));
@@ -109,9 +97,8 @@ TEST_CASE("a channel may stand still where the nominal model goes through twenty
   CHECK(stuck_channel(Study(experiment)));
 }
 
-TEST_CASE("a channel may stand still where it is small beside the other of its sensor") {
-  // The farther up a press goes, the more of the force is along y; noise is small, so that it alone decides
-  // nothing.
+TEST_CASE("a channel may be constant where it is small beside the other of its sensor") {
+  // The share of the force along y grows with the angle of the press; small noise alone decides nothing.
   const auto held = [](double by) {
     Experiment experiment = three_links();
     press(experiment, {0.3, -0.5, 0.4}, {-0.03, by}, 10, false);

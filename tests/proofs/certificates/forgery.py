@@ -48,7 +48,7 @@ def without(document, path):
     return result
 
 
-GUARDED_BY_DIGEST = {"chain", "case", "licence", "sha256"}
+GUARDED_BY_DIGEST = {"chain", "case", "structure", "licence", "sha256"}
 
 
 def rests_on_digest(path):

@@ -38,8 +38,8 @@ plumbline::simulator::Experiment one_with(const plumbline::simulator::Kind& kind
   }
 }
 
-/// The row of the diagnosis, of one joint or of none alike, with one value for all joints or one at each; or
-/// null.
+/// The row of the diagnosis for an effect, with a common value or one at each joint; null where there is
+/// none.
 const plumbline::diagnose::Effect* row_of(std::string_view id, bool at_joint, bool each) {
   const plumbline::diagnose::Effect* found = nullptr;
   for (const plumbline::diagnose::Effect& effect : plumbline::diagnose::catalogue())
@@ -72,7 +72,7 @@ double rms(const Eigen::VectorXd& values) {
 
 }  // namespace
 
-TEST_CASE("every effect of the catalogue does in the rig what the forward model of the diagnosis predicts" *
+TEST_CASE("the simulator agrees with the diagnosis' model for every effect of the catalogue" *
           doctest::test_suite("long")) {
   for (const plumbline::simulator::Kind& kind : plumbline::simulator::catalogue()) {
     CAPTURE(kind.id);
@@ -98,7 +98,7 @@ TEST_CASE("every effect of the catalogue does in the rig what the forward model 
   }
 }
 
-TEST_CASE("an experiment is the same at every making, and another with another seed") {
+TEST_CASE("an experiment is reproducible, and differs with the seed") {
   const auto text = [](std::uint64_t seed) {
     const auto made =
         plumbline::simulator::make_experiment(plumbline::simulator::Trial::first, seed, 2, "one");

@@ -12,7 +12,7 @@ using namespace plumbline::simulator;
 
 namespace {
 
-/// What the cell shows of a force that grows steadily from (1, 2) by (0.5, -0.25) a reading, 2 s each.
+/// The cell's readings of a force that grows steadily from (1, 2) by (0.5, -0.25) a reading of 2 s.
 Readings shown(const Physics& physics, const Plan& plan) {
   std::vector<State> states;
   for (const Command& command : plan.runs[0].commands) {
@@ -69,7 +69,7 @@ TEST_CASE("cross-talk, curvature, the tare of another day, warming up, saturatio
   CHECK(shown(is, plan)[20].force[1] == -1.75);
 }
 
-TEST_CASE("a cell with a loop of its own shows more on the way back, nothing else at either end of it") {
+TEST_CASE("a cell with hysteresis reads more while unloading, nothing at either end of its loop") {
   const Plan plan = a_bench();
   Physics is = physics_of(plan);
   const Readings plain = shown(is, plan);
@@ -82,7 +82,7 @@ TEST_CASE("a cell with a loop of its own shows more on the way back, nothing els
   CHECK(loop[10].force[0] == plain[10].force[0]);
 }
 
-TEST_CASE("a cell that lags behind a steady rise is late by its time constant") {
+TEST_CASE("a cell with a lag trails a steady rise by its time constant") {
   const Plan plan = a_bench();
   Physics is = physics_of(plan);
   is.lag = 1.5;
@@ -95,7 +95,7 @@ TEST_CASE("a cell that lags behind a steady rise is late by its time constant") 
   }
 }
 
-TEST_CASE("scatter is as large and as correlated as it says") {
+TEST_CASE("noise is as large and as correlated as stated") {
   // 20000 readings: a deviation is known to 0.5 %, a correlation of 0.9 to 0.3 %; tolerances are four of
   // these
   CHECK(noise_of(scatter_of(0.02), 5).deviation == close_to(0.02).epsilon(0.02));
@@ -115,7 +115,7 @@ TEST_CASE("scatter is as large and as correlated as it says") {
   CHECK(noise_of(scatter, 5).deviation == close_to(0.02).epsilon(0.02));
 }
 
-TEST_CASE("noise in proportion is two to eight sigmas at the largest reading of every sensor") {
+TEST_CASE("proportional noise is two to eight sigmas at the largest reading of every sensor") {
   const Plan plan = a_bench();
   Random random(8, 1);
   int seen = 0;
@@ -150,7 +150,7 @@ TEST_CASE("rough noise goes to three times the declared, 8 % of outliers and a c
   CHECK((smoothest > 0.88 && smoothest <= 0.9));
 }
 
-TEST_CASE("half of the noise that remembers is of one kind of sensor, one that the bench has") {
+TEST_CASE("half of the correlated noise is of one kind of sensor, one that the bench has") {
   Plan plan = a_bench();
   plan.angles_measured = true;
   Random random(9, 1);

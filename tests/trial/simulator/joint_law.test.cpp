@@ -46,7 +46,7 @@ TEST_CASE("a plain joint adds nothing to its spring") {
   CHECK(Turned(joint()).to(0.3) == 0);
 }
 
-TEST_CASE("sliders: stiff before they yield, and Masing's rule: the way back is twice the way there") {
+TEST_CASE("sliders: stiff before they slip, and Masing's rule") {
   Joint one = joint();
   one.slider = {{0.5, 0.06}, {0.25, 0.1}};  // yield at 0.06 and 0.2 rad
   Turned turned(one);
@@ -58,7 +58,7 @@ TEST_CASE("sliders: stiff before they yield, and Masing's rule: the way back is 
   CHECK(turned.to(0.4) == close_to(-(0.06 + 0.1)));
 }
 
-TEST_CASE("a stiff slider is dry friction: it carries its torque against the way it came") {
+TEST_CASE("a stiff slider is dry friction against the direction of motion") {
   Joint one = joint();
   one.slider = {{100, 0.05}};
   Joint dry = joint();
@@ -70,8 +70,7 @@ TEST_CASE("a stiff slider is dry friction: it carries its torque against the way
   CHECK(rubs.to(0.2) == close_to(0.05));
 }
 
-TEST_CASE(
-    "friction that grows with the load, differs by direction, changes with the angle, falls with speed") {
+TEST_CASE("friction that depends on load, direction, angle and speed") {
   const auto carried = [](const Friction& friction, double there, double seconds = 1) {
     Joint one = joint();
     one.friction = friction;
@@ -87,10 +86,7 @@ TEST_CASE(
   CHECK(carried(falls, 2, 5) < 0.051);     // fast
 }
 
-TEST_CASE(
-    "an asymmetric spring, play, hardening, a stop and a spring that gives way, beyond or instead of the "
-    "plain "
-    "spring") {
+TEST_CASE("an asymmetric spring, play, hardening, a stop and a piecewise spring") {
   Joint uneven = joint();
   uneven.asymmetry = -0.1;
   CHECK(Turned(uneven).to(0.2) == close_to(-stiffness * 0.9 * 0.2));
@@ -111,8 +107,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "set: elastic up to the yield, softer beyond it, unloading along the spring, yielding again only "
-    "beyond") {
+    "plastic set: elastic up to yield, softer beyond, elastic unloading, yield at the earlier maximum") {
   Joint one = joint();
   one.yield = 0.2, one.flow = 0.5;  // yields at 0.1 rad; then stiffness / 1.5
   Turned turned(one);
@@ -124,7 +119,7 @@ TEST_CASE(
   CHECK(turned.to(0.2) == close_to(-top).epsilon(1e-3));
 }
 
-TEST_CASE("two arms relax, each with its time, from what they carry after a quick turn") {
+TEST_CASE("two Maxwell arms relax, each with its time constant") {
   Joint one = joint();
   one.arm = {{0.3, 0.5}, {0.2, 20}};
   Turned turned(one);
@@ -134,7 +129,7 @@ TEST_CASE("two arms relax, each with its time, from what they carry after a quic
         close_to(-stiffness * 0.1 * (0.3 * std::exp(-4) + 0.2 * std::exp(-0.1))).epsilon(0.01));
 }
 
-TEST_CASE("springs that age soften by the logarithm of time, or towards a limit") {
+TEST_CASE("ageing springs soften with the logarithm of time, or towards a limit") {
   Joint creeps = joint();
   creeps.ageing.creep = 0.1, creeps.ageing.start = 0.5;
   CHECK(Turned(creeps).to(0.2, 4) == close_to(-stiffness * 0.2 / (1 + 0.1 * std::log(9))).epsilon(1e-3));

@@ -12,7 +12,7 @@ using namespace plumbline::simulator;
 
 namespace {
 
-/// Where the chain buckles under an imposed force the nominal statics has no answer to compare with.
+/// Chains that buckle under an imposed force are left out: nominal statics has no unique answer there.
 std::optional<std::vector<std::vector<State>>> states_of(const Plan& plan) {
   try {
     return simulate(plan, physics_of(plan));
@@ -23,7 +23,7 @@ std::optional<std::vector<std::vector<State>>> states_of(const Plan& plan) {
 
 }  // namespace
 
-TEST_CASE("without an effect the rig agrees with the nominal statics a hundred times below the noise") {
+TEST_CASE("without an effect the simulator agrees with the nominal statics to a hundredth of the noise") {
   Random random(5, 1);
   double worst = 0;
   int benches = 0;

@@ -42,7 +42,7 @@ double against_nominal_statics(const Bench& bench, std::string_view id, const Va
 
 }  // namespace
 
-TEST_CASE("what changes the nominal numbers is the nominal statics of the changed chain") {
+TEST_CASE("a changed nominal parameter gives the nominal statics of the changed chain") {
   const Bench bench = working();
   // a hundredth of the finest instruments' noise, as for the chain without an effect
   CHECK(against_nominal_statics(bench, "stiffness_scale", {0.1}, [](Plan& plan, const Values& v) {
@@ -85,8 +85,7 @@ TEST_CASE("what changes the nominal numbers is the nominal statics of the change
         }) < 0.01);
 }
 
-TEST_CASE("every kind shows at the size that labs meet, and nothing of it is nothing" *
-          doctest::test_suite("long")) {
+TEST_CASE("every kind is visible at realistic sizes, and absent at size zero" * doctest::test_suite("long")) {
   const Bench light = working(), heavy = working(heavy_bench());
   std::vector<const Kind*> all;
   for (const Kind& one : catalogue()) all.push_back(&one);
@@ -104,7 +103,7 @@ TEST_CASE("every kind shows at the size that labs meet, and nothing of it is not
   }
 }
 
-TEST_CASE("a value at each joint is drawn where there are several: of one it is that joint's own error") {
+TEST_CASE("values are drawn for each of several joints; for one joint it is that joint's error") {
   Plan plan = a_bench();
   plan.nominal.length = {0.2};
   plan.nominal.stiffness = {2};
@@ -117,7 +116,7 @@ TEST_CASE("a value at each joint is drawn where there are several: of one it is 
     }
 }
 
-TEST_CASE("a group's parameters are numbered by joint, an element's by element") {
+TEST_CASE("parameters of a group are numbered by joint, those of elements by element") {
   const Plan plan = a_bench();
   const Kind& spread = kind("stiffness_spread", false);
   CHECK(spread.name(plan, 0) == "a_1");
@@ -137,7 +136,9 @@ TEST_CASE("a group's parameters are numbered by joint, an element's by element")
   CHECK_THROWS_WITH(kind("stiffness_spread", true), doctest::Contains("no such effect at a joint"));
 }
 
-TEST_CASE("the second trial: a third outside, a third with groups or tolerances, all with rough noise") {
+TEST_CASE(
+    "the second trial: a third outside the catalogue, a third with groups or tolerances, all with realistic "
+    "noise") {
   Random random(2, 2);
   std::size_t from_outside = 0, groups = 0, none = 0;
   std::set<std::string_view> seen;
@@ -162,7 +163,7 @@ TEST_CASE("the second trial: a third outside, a third with groups or tolerances,
   CHECK(seen.size() == outside().size());
 }
 
-TEST_CASE("springs that give way pass for the one that gets there alone; where all do, for none") {
+TEST_CASE("piecewise springs are equivalent to a single one where only that one reaches its threshold") {
   const Bench bench = working();
   std::vector<double> reach = scene_of(bench).deflection;
   const auto most = std::max_element(reach.begin(), reach.end());
@@ -177,9 +178,7 @@ TEST_CASE("springs that give way pass for the one that gets there alone; where a
   CHECK(passes_for(true, 0.5 * least).empty());
 }
 
-TEST_CASE(
-    "of a single sprung joint what is common to all passes for the same of that joint, of several it does "
-    "not") {
+TEST_CASE("with one elastic joint an effect of all joints is equivalent to that of the joint") {
   const std::pair<std::string_view, std::string_view> pairs[] = {{"stiffness_scale", "joint_stiffness(1)"},
                                                                  {"length_scale", "link_length(1)"},
                                                                  {"rest_offset", "rest_angle(1)"}};
@@ -194,8 +193,8 @@ TEST_CASE(
       const bool arm = made.plan.size() == 1;
       const bool chain = std::count_if(k.begin(), k.end(), [](double one) { return one > 0; }) > 1;
       const auto& aliases = made.label.equivalent;
-      const bool listed =
-          std::find(aliases.begin(), aliases.end(), std::vector<std::string>{std::string(single)}) != aliases.end();
+      const bool listed = std::find(aliases.begin(), aliases.end(),
+                                    std::vector<std::string>{std::string(single)}) != aliases.end();
       if (arm) CHECK(listed);
       if (chain) CHECK_FALSE(listed);
       alone += arm;

@@ -69,7 +69,7 @@ void check_guesses(const char* id, std::size_t joint, const std::vector<std::vec
 
 }  // namespace
 
-TEST_CASE("what a lab would call sizeable of each effect, by hand") {
+TEST_CASE("a sizeable amount of each effect, by hand") {
   // k = 4, L = 1.3, l = 1.3 / 3, f = 7, phi = 0.3; the slip torque k phi is 1.2, L^2 / k is 0.4225
   const double c = 0.01 * 1.3 * 1.3 / 4, density = 4 / (9.81 * 1.3 * 1.3);
   const std::map<std::string, std::vector<double>> of_chain{
@@ -157,7 +157,7 @@ TEST_CASE("what a lab would call sizeable of each effect, by hand") {
   check_values(sizeable_values("joint_stop", 1), {0.3, 40});  // at a passive joint the mean spring's
 }
 
-TEST_CASE("tolerances are what machining and assembly leave, of elastic joints alone or of every link") {
+TEST_CASE("manufacturing tolerances belong to elastic joints or to every link") {
   const CharacteristicScales size = sizes_by_hand();
   const auto tolerances = [&](const char* id) {
     std::vector<double> all;
@@ -174,7 +174,7 @@ TEST_CASE("tolerances are what machining and assembly leave, of elastic joints a
   check_values(tolerances("run_rest"), std::vector<double>(6, angle_tolerance));
 }
 
-TEST_CASE("fits start at shares of what the joints are asked for, by hand") {
+TEST_CASE("initial guesses are fractions of the excitation of the joints, by hand") {
   check_guesses("backlash", 2, {{0.02 * 0.23}, {0.1 * 0.23}, {0.4 * 0.23}}, 2);
   check_guesses("joint_friction", 0, {{0.0034}, {0.017}, {0.085}}, 1);
   const InitialGuesses giving =
@@ -243,8 +243,7 @@ TEST_CASE("fits start at shares of what the joints are asked for, by hand") {
   check_guesses("saturation", 0, {{1 / (0.98 * 11)}}, 1);
 }
 
-TEST_CASE(
-    "of each effect: what grows in a forecast, whether by a large step, what it dissipates and asks for") {
+TEST_CASE("every effect: perturbed parameters, step, dissipation and excitation") {
   struct Kind {
     std::vector<std::size_t> growing;
     bool large_step, dissipates;
@@ -294,7 +293,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("ranges and starts go with the units of force, length and time") {
+TEST_CASE("ranges and initial guesses scale with the units of force, length and time") {
   // Forces in units 5 times as small, lengths 3 times, times 7 times.
   constexpr double N = 5, m = 3, s = 7;
   const CharacteristicScales size = sizes_by_hand();
@@ -341,7 +340,7 @@ TEST_CASE("ranges and starts go with the units of force, length and time") {
                          to = row.initial_guesses({other, joint}, scaled);
     CHECK(from.refined == to.refined);
     REQUIRE(from.points.size() == to.points.size());
-    // Those of a stopped or hardening joint are told in rad alone.
+    // Guesses for stops and hardening depend on angles alone.
     for (std::size_t i = 0; i < from.points.size(); ++i)
       for (std::size_t p = 0; p < factor.size(); ++p) {
         CAPTURE(row.id);
@@ -351,7 +350,7 @@ TEST_CASE("ranges and starts go with the units of force, length and time") {
   }
 }
 
-TEST_CASE("where an effect is possible: what it asks of the bench, one thing at a time") {
+TEST_CASE("an effect is possible where the bench meets each of its conditions") {
   struct Asked {
     const char* id;
     std::function<void(CharacteristicScales&)> without;
@@ -446,7 +445,7 @@ TEST_CASE("where an effect is possible: what it asks of the bench, one thing at 
   CHECK(effect("joint_friction").possible({straight, 0}));
 }
 
-TEST_CASE("effects of one kind add up, and what each adds to the rig, by hand") {
+TEST_CASE("effects of one kind add up; the contribution of each to the rig, by hand") {
   const CharacteristicScales size = sizes_by_hand();
   const auto add = [&](const Effect& row, std::size_t joint, const std::vector<double>& value) {
     Rig rig;

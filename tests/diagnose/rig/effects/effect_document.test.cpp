@@ -221,7 +221,7 @@ std::vector<Same> same_predictions() {
 
 }  // namespace
 
-TEST_CASE("effects that the document calls the same predict the same, and the nominal model something else") {
+TEST_CASE("effects documented as equivalent predict the same, and the nominal model something else") {
   const std::vector<Same> all = same_predictions();
   std::vector<std::pair<std::string, std::string>> tested;
   for (const Same& one : all) {

@@ -82,7 +82,7 @@ constexpr double solver_accuracy = 1e-8;
 
 }  // namespace
 
-TEST_CASE("each joint slips at its own friction, and all alike are joint_friction") {
+TEST_CASE("each joint slips at its own friction; equal values are joint_friction") {
   const Experiment experiment = cycle();
   const std::vector<double> tau{0.01, 0.03, 0.005};
   const Trace trace = predicted_run(experiment, only("friction_spread"), tau);
@@ -99,7 +99,7 @@ TEST_CASE("each joint slips at its own friction, and all alike are joint_frictio
                    predicted_run(experiment, only("joint_friction"), {0.02})) == 0);
 }
 
-TEST_CASE("joints that harden each on its own, that are stiffer to one side, and stops at all of them") {
+TEST_CASE("hardening at each joint, asymmetric springs, stops at every joint") {
   const Experiment experiment = cycle();
   const std::vector<double> c{1.5, -0.5, 4};
   const std::vector<double>& k = experiment.joint_stiffness;
@@ -123,7 +123,7 @@ TEST_CASE("joints that harden each on its own, that are stiffer to one side, and
                    predicted_run(experiment, only("nonlinear_spring"), {2})) == 0);
 }
 
-TEST_CASE("springs that give way beyond an angle, at all joints and at one") {
+TEST_CASE("springs that soften beyond an angle, at all joints and at one") {
   const Experiment experiment = cycle();
   const std::vector<double>& k = experiment.joint_stiffness;
   const double s = 0.05, a = 0.4;
@@ -144,7 +144,7 @@ TEST_CASE("springs that give way beyond an angle, at all joints and at one") {
 }
 
 TEST_CASE(
-    "a spring that gives way by nothing, or beyond where it turns, is a plain one; at once, a softer one") {
+    "a piecewise spring without softening, or beyond its range, is plain; with threshold zero it is softer") {
   const Experiment experiment = cycle();
   const Trace nominal = predicted_run(experiment, {}, {});
   for (const std::size_t joint : {0U, 2U}) {
@@ -152,7 +152,8 @@ TEST_CASE(
     CHECK(difference(predicted_run(experiment, gives, {0.05, 0}), nominal) == 0);
     CHECK(difference(predicted_run(experiment, gives, {2, 0.4}), nominal) == 0);
   }
-  // What is left of it is the torque a k s, which moves forces of newtons and angles in proportion to s.
+  // The remaining difference is the torque a k s, which changes forces of newtons and angles in proportion to
+  // s.
   const auto left = [&](double s) {
     return difference(predicted_run(experiment, only("piecewise_spring", 2), {s, 0.4}),
                       predicted_run(experiment, only("joint_stiffness", 2), {-0.4}));
@@ -165,8 +166,7 @@ TEST_CASE(
           close_to(spring_stiffness * (0.6 * angle(bent, row, 0) + 0.4 * 0.01)).epsilon(solver_accuracy));
 }
 
-TEST_CASE(
-    "springs that give way are named, at all joints or at the one, and springs that soften or stop are not") {
+TEST_CASE("piecewise springs are identified, at all joints or at one, and not taken for softening or stops") {
   Experiment experiment = cycle();
   press(experiment, {-0.4, 0.6, 0.3}, {-0.05, 0.03}, 40, true);
   press(experiment, {0.4, 0.3, -0.6}, {-0.06, 0.02}, 40, true);
@@ -191,8 +191,8 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("a Jenkins element: the way back is the way there twice as large, and a closed loop is forgotten") {
-  // There, back to a half, there again, and on: Masing's rules.
+TEST_CASE("a Jenkins element: Masing's rule, and a closed loop leaves no memory") {
+  // Loading, unloading to a half, reloading and beyond: Masing's rules.
   const int steps = 50;
   const Trace trace = predicted_run(one_joint(steps_through({0, 0.4, 0.2, 0.4, 0.6}, steps)),
                                     only("hysteresis", 1), {0.5, 0.03, 0, 1, 0, 1});
@@ -218,7 +218,7 @@ TEST_CASE("a Jenkins element: the way back is the way there twice as large, and 
     CHECK(moment(trace, row) == torque(virgin(angle(trace, row, 0))));
 }
 
-TEST_CASE("a very stiff element is dry friction, and one that never yields is a stiffer spring") {
+TEST_CASE("a very stiff element is dry friction, one that never slips a stiffer spring") {
   const Experiment experiment = cycle();
   // r k is as stiff as a contact that sticks; a joint of mean stiffness 1.5 yields at 0.02 N m.
   const double r = 1e5;
@@ -265,7 +265,7 @@ TEST_CASE("friction that is larger in one direction") {
           close_to(row > 40 ? -0.03 * 0.6 : 0.03 * 1.4).epsilon(1e-6));
 }
 
-TEST_CASE("friction that changes with the speed: that of the step before, as fast as the drive goes since") {
+TEST_CASE("speed-dependent friction: the speed of the last interval, scaled by the command's") {
   Experiment experiment = one_joint(steps_through({0, 0.6}, 40));
   std::vector<Reading>& readings = experiment.runs.front().readings;
   // After a steady drive the last steps take seven times as long.
@@ -282,7 +282,7 @@ TEST_CASE("friction that changes with the speed: that of the step before, as fas
   }
 }
 
-TEST_CASE("a torque beyond the yield leaves the rest angle moved by slope times the excess over k") {
+TEST_CASE("a torque beyond the yield moves the rest angle by slope times the excess over k") {
   const Trace trace =
       predicted_run(one_joint(steps_through({0, 0.6, 0, 0.3}, 30)), only("plastic_set"), {0.15, 0.25});
   const double largest = moment(trace, 30), set = 0.25 * (largest - 0.15) / spring_stiffness;
@@ -294,7 +294,7 @@ TEST_CASE("a torque beyond the yield leaves the rest angle moved by slope times 
   CHECK(angle(trace, 90, 0) - set == close_to(moment(trace, 90) / spring_stiffness));
 }
 
-TEST_CASE("a held chain relaxes in two times, and two arms of one time are one arm") {
+TEST_CASE("a held chain relaxes with two time constants; two arms of equal ones are one arm") {
   Experiment experiment = three_links();
   press(experiment, {0.3, -0.5, 0.4}, {-0.02, 0}, 1, false, 1e-6);
   Run& run = experiment.runs[0];

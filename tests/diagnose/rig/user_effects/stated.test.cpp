@@ -32,7 +32,7 @@ std::string effect_text(const std::string& id, const std::string& acts, const st
          parameters;
 }
 
-/// A file's effects, to stand below those of another.
+/// The effects of a file, to be appended to another.
 std::string beside(const std::string& text) {
   return text.substr(text.find('\n') + 1);
 }
@@ -97,7 +97,7 @@ std::vector<Restated> restated() {
 
 }  // namespace
 
-TEST_CASE("what the catalogue says too is fitted as the catalogue's row is") {
+TEST_CASE("a user effect that equals a catalogue row is fitted like that row") {
   for (const Restated& one : restated()) {
     CAPTURE(one.id);
     const Experiment experiment = measured(two_presses(), only(one.id), one.truth, 5);
@@ -121,7 +121,7 @@ TEST_CASE("what the catalogue says too is fitted as the catalogue's row is") {
   }
 }
 
-TEST_CASE("a forecast of what is stated is that of the catalogue's row") {
+TEST_CASE("a user effect is forecast like the equal catalogue row") {
   for (const Restated& one : restated()) {
     if (std::string(one.id) == "joint_friction") continue;  // its large steps are of other lengths
     CAPTURE(one.id);
@@ -158,7 +158,7 @@ TEST_CASE("a moment of the force about one joint is an eccentric load") {
   CHECK((stated.sensitivity[0][0] - built_in.sensitivity[0][0]).abs().maxCoeff() < 1e-4 * size);
 }
 
-TEST_CASE("a torque that depends on angle, force and time is the same with end point or force imposed") {
+TEST_CASE("a torque of angle, force and time is the same with end point or force imposed") {
   const Rows rows = rows_of(torque("odd", "a * sin(5 * q) + b * d * sqrt(Fx^2 + Fy^2) + a * t / 100",
                                    parameter("a", 0.02, -1, 1) + parameter("b", 0.1, -1, 1)));
   const Candidate candidate{{EffectAt(rows->front())}};
@@ -181,7 +181,7 @@ TEST_CASE("a torque that depends on angle, force and time is the same with end p
   CHECK((nominal.runs[0] - pressed.runs[0]).abs().maxCoeff() > 1e-2);
 }
 
-TEST_CASE("corrections know run, time and the joint's own angle, and leave what was imposed") {
+TEST_CASE("corrections depend on run, time and joint angle, and leave commands unchanged") {
   const Rows rows = rows_of(
       effect_text("odd", "[effect.reading]\nq2 = \"a * q\"\nq = \"b * run\"\nFx = \"b * t\"\nx = \"a\"\n",
                   parameter("a", 0.02, -1, 1) + parameter("b", 0.1, -1, 1)));
@@ -223,7 +223,7 @@ Experiment with_rest() {
   return experiment;
 }
 
-/// What a correction adds to a channel in a run.
+/// The values that a correction adds to a channel in a run.
 std::vector<double> added_by(const Study& study, const Effect& row, double value, std::size_t run,
                              const Channel& channel) {
   const Prediction corrected = predict(study, {{EffectAt(row)}}, {value});
@@ -247,8 +247,7 @@ double fitted(const Effect& row, const std::function<void(Experiment&, const Pre
 
 }  // namespace
 
-TEST_CASE(
-    "the direction of a correction is that of what is imposed along its axis, and kept while it rests") {
+TEST_CASE("the direction of a correction is that of the command along its axis, kept during rest") {
   const Rows rows = rows_of(
       effect_text("odd", "[effect.reading]\nx = \"a * s\"\ny = \"a * s\"\nFx = \"a * s\"\nFy = \"a * s\"\n",
                   parameter("a", 0.02, -1, 1)));
@@ -267,8 +266,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE(
-    "a run that was brought to its first reading has moved there, and the correction is guide friction") {
+TEST_CASE("a run brought to its first reading has a direction there, and the correction is guide friction") {
   Experiment experiment = two_presses();
   for (Run& run : experiment.runs) run.readings.erase(run.readings.begin());
   const Rows rows =
@@ -278,7 +276,7 @@ TEST_CASE(
   for (std::size_t r : {0U, 1U}) CHECK(difference(stated.runs[r], built_in.runs[r]) < 1e-12);
 }
 
-TEST_CASE("a correction of an angle knows its joint's direction, as the model turns it, and deflection") {
+TEST_CASE("a correction of an angle depends on its joint's direction and deflection") {
   const Rows rows =
       rows_of(effect_text("odd", "[effect.reading]\nq = \"a * s\"\n", parameter("a", 0.02, -1, 1)) +
               beside(effect_text("bent", "[effect.reading]\nq2 = \"a * d\"\n", parameter("a", 0.02, -1, 1))));
@@ -306,7 +304,7 @@ TEST_CASE("a correction of an angle knows its joint's direction, as the model tu
   }
 }
 
-TEST_CASE("what was planted in the readings of a force, or of angles, is found at its value") {
+TEST_CASE("an error planted in readings of forces or angles is identified with its value") {
   // Both corrections are proportional to their parameter: noise moves the estimate by the same amount with
   // and without what is planted. A search stops within a tenth of the deviation that it leaves, 2e-4 of an
   // angle's.
@@ -334,7 +332,7 @@ TEST_CASE("what was planted in the readings of a force, or of angles, is found a
   CHECK(fitted((*rows)[1], encoder) - fitted((*rows)[1], nothing) == close_to(0.1).epsilon(2e-4));
 }
 
-TEST_CASE("a law that is in no catalogue, once stated, is identified: where it is and how large" *
+TEST_CASE("a stated law outside the catalogue is identified with its joint and size" *
           doctest::test_suite("long")) {
   const std::string text = effect_text("detent", "where = \"one joint\"\ntorque = \"a * sin(20 * q)\"\n",
                                        parameter("a", 0.02, -1, 1));
@@ -354,7 +352,7 @@ TEST_CASE("a law that is in no catalogue, once stated, is identified: where it i
   CHECK(a.high > 0.04);
 }
 
-TEST_CASE("a study without stated effects looks at the catalogue alone, and its probabilities are the same") {
+TEST_CASE("without user effects the catalogue alone is considered, with unchanged probabilities") {
   const Study plain(full_bench()), other(full_bench(), rows_of(restated()[0].text));
   CHECK(possible_effects(other).size() == possible_effects(plain).size() + 1);
   CHECK(other.of(full_bench()).effects() == other.effects());
@@ -362,7 +360,7 @@ TEST_CASE("a study without stated effects looks at the catalogue alone, and its 
   CHECK(log_prior(other, only("force_gain")) < log_prior(plain, only("force_gain")));
 }
 
-TEST_CASE("what shapes an effect starts within its bounds, what grows on both sides of nothing") {
+TEST_CASE("guesses of shape parameters lie within their bounds, those of amounts on both sides of zero") {
   const Rows rows = rows_of(
       torque("stiffening", "a * tanh(d / b)", parameter("a", 0.2, -1, 1) + parameter("b", 0.1, 0.01, 1)));
   const Study study(full_bench(), rows);
@@ -405,8 +403,7 @@ std::string of_a(const std::string& expression, double low = -1, double high = 1
 
 }  // namespace
 
-TEST_CASE(
-    "what makes no sense is refused in one line that names the place, what is there and what might be") {
+TEST_CASE("invalid input is refused in one line: place, found, expected") {
   CHECK(complaint(of_a("a * d")) == "");
   CHECK(
       complaint(of_a("a * d_2")) ==
@@ -471,7 +468,7 @@ TEST_CASE(
   CHECK(complaint(twice + beside(twice)).find("\"mine\" again") != std::string::npos);
 }
 
-TEST_CASE("what is stated of time, or of readings, that a bench has not is told among what never acted") {
+TEST_CASE("user effects of time or channels that the bench lacks are reported as not excited") {
   Experiment experiment = two_presses();
   experiment = measured(experiment, only("joint_stiffness", 2), {0.3}, 4);
   for (Run& run : experiment.runs)

@@ -70,7 +70,7 @@ Experiment one_press() {
 
 }  // namespace
 
-TEST_CASE("a stated effect is read with all that it says") {
+TEST_CASE("a user effect is read with all its keys") {
   const StatedEffect stated =
       effect_of(at_one_joint + "\"k * a * d + b * Fx\"\n",
                 told_parameter("a", one_scale + "\ntolerance = 0.25") + told_parameter("b", shape_bounds));
@@ -103,7 +103,7 @@ TEST_CASE("a stated effect is read with all that it says") {
   CHECK_FALSE(reading.uses("x"));
 }
 
-TEST_CASE("what makes no sense of a stated effect is refused at its key") {
+TEST_CASE("an invalid user effect is refused at its key") {
   const auto with = [](const std::string& bounds) {
     return effects_fault(effects_file(at_one_joint + "\"a\"\n", told_parameter("a", bounds)));
   };
@@ -149,7 +149,7 @@ TEST_CASE("what makes no sense of a stated effect is refused at its key") {
             .starts_with("U:5: effect[1].size: found an unknown key"));
 }
 
-TEST_CASE("words have the braces of a joint once, where there is one") {
+TEST_CASE("words contain the braces of a joint once, for an effect at a joint") {
   const auto words = [](const std::string& text, const std::string& where) {
     return effects_fault("format = \"user-effects/1\"\n[[effect]]\nid = \"mine\"\nwords = \"" + text +
                          "\"\nwhere = \"" + where + "\"\ntorque = \"a\"\n" + told_parameter("a", one_scale));
@@ -163,7 +163,7 @@ TEST_CASE("words have the braces of a joint once, where there is one") {
     CHECK(words(wrong, "every joint").ends_with("expected no braces"));
 }
 
-TEST_CASE("fits of a stated effect start a scale to either side, and from nothing where that tells") {
+TEST_CASE("fits of a user effect start one scale to both sides, and from zero where that is informative") {
   const Study study(one_press());
   const StatedEffect plain = effect_of(any_joint + "\"a * d\"\n", told_parameter("a", one_scale));
   CHECK(guesses_on(study, plain).points == Starting{{0}, {0.5}, {-0.5}});
@@ -180,7 +180,7 @@ TEST_CASE("fits of a stated effect start a scale to either side, and from nothin
   CHECK(guesses_on(study, two).points == Starting{{0, 0}, {0.5, 0.5}, {-0.5, -0.5}});
 }
 
-TEST_CASE("a parameter that shapes an effect is tried at five places between its bounds, three at one") {
+TEST_CASE("a shape parameter starts at five places between its bounds, three beside another") {
   const Study study(one_press());
   const StatedEffect shaped = effect_of(any_joint + "\"a * d * c\"\n",
                                         told_parameter("a", one_scale) + told_parameter("c", shape_bounds));
@@ -202,7 +202,7 @@ TEST_CASE("a parameter that shapes an effect is tried at five places between its
   CHECK(guesses_on(study, three_shapes).points == Starting{{0.5, 4, 4, 4}, {-0.5, 4, 4, 4}});
 }
 
-TEST_CASE("the row of a stated effect: ranges, what it dissipates, how it is probed, where it is possible") {
+TEST_CASE("the row of a user effect: ranges, dissipation, perturbation, conditions") {
   const auto row = [](const StatedEffect& stated) { return row_of(std::make_shared<StatedEffect>(stated)); };
   const Study study(one_press());
   const StatedEffect spring =
@@ -222,7 +222,7 @@ TEST_CASE("the row of a stated effect: ranges, what it dissipates, how it is pro
   CHECK(ranges[0].high == 4);
   CHECK(ranges[0].tolerance == 0.25);
   CHECK(ranges[1].low == 1);
-  // one that goes with the joint's stiffness is nothing at a passive joint; others are something everywhere
+  // an effect proportional to the joint's stiffness is zero at a passive joint; others act everywhere
   CharacteristicScales passive = study.scales();
   passive.joint_stiffness[1] = 0;
   CHECK(of_spring.possible({passive, 0}));
@@ -258,7 +258,7 @@ TEST_CASE("the row of a stated effect: ranges, what it dissipates, how it is pro
   CHECK(guesses_on(study, reversal).points == Starting{{0}, {0.5}, {-0.5}});
 }
 
-TEST_CASE("a stated effect acts at its joint, at every joint, or on its channels") {
+TEST_CASE("a user effect acts at its joint, at every joint, or on its channels") {
   const Study study(one_press());
   const double values[] = {0.75};
   const auto added = [&](const StatedEffect& stated, std::size_t joint) {
@@ -281,7 +281,7 @@ TEST_CASE("a stated effect acts at its joint, at every joint, or on its channels
   CHECK_FALSE(read.stated_corrections[0].applies_to({Channel::Name::q, 1}));
 }
 
-TEST_CASE("an expression has a value along the nominal model, and is nothing where all that grows is") {
+TEST_CASE("an expression is evaluated along the nominal model, and zero for amounts of zero") {
   const Experiment experiment = one_press();
   const auto torque = [&](const std::string& expression) {
     return defined_fault(experiment,
@@ -344,7 +344,7 @@ TEST_CASE("an expression has a value along the nominal model, and is nothing whe
             .empty());
 }
 
-TEST_CASE("a study with stated effects looks for them behind those of the catalogue, and asks them first") {
+TEST_CASE("user effects follow those of the catalogue, and are asked first") {
   const StatedEffect good = effect_of(any_joint + "\"a * d\"\n", told_parameter("a", one_scale)),
                      bad = effect_of(any_joint + "\"a * d + 1\"\n", told_parameter("a", one_scale));
   const Study study = study_with(one_press(), {good});

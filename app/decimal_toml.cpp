@@ -1,0 +1,137 @@
+#include "app/decimal_toml.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cstring>
+#include <sstream>
+
+#include "proofs/exact/decimal.hpp"
+#include "support/files/printable.hpp"
+
+namespace plumbline::app {
+namespace {
+
+/// One number of a list. What the chain would refuse is refused here, where the text is still known.
+Rational parse_number(const std::string& text, const std::string& list, std::size_t i) {
+  const auto refuse = [&](const std::string& why, const std::string& expected) {
+    throw Error(list + ", entry " + std::to_string(i + 1),
+                text.empty() ? "nothing" : files::shown(text) + why, expected);
+  };
+  auto value = proofs::parse_decimal(text);
+  if (!value) refuse("", "a decimal number");
+  if ((list.ends_with("lengths") || list.ends_with("link_length")) && *value <= 0)
+    refuse(", which is not positive", "a positive length");
+  if (list.ends_with("stiffness") && *value < 0) refuse(", which is negative", "zero (passive) or positive");
+  return *std::move(value);
+}
+
+/// Collects text in which decimals that follow each other in a list become one string, joined by ';': a
+/// parser takes its time, and a hundred bytes, for every entry.
+class JoinedDecimals {
+ public:
+  void decimal(const std::string& digits) {
+    if (open_ && std::count(gap_.begin(), gap_.end(), ',') == 1) {
+      lines_.append(static_cast<std::size_t>(std::count(gap_.begin(), gap_.end(), '\n')), '\n');
+      gap_.clear();
+      text_ += ';';
+    } else {
+      close();
+      text_ += '"';
+      open_ = true;
+    }
+    text_ += digits;
+  }
+  void other(const std::string& token) {
+    if (open_ && token.find_first_not_of(", \t\r\n") == std::string::npos) {
+      gap_ += token;
+    } else {
+      close();
+      text_ += token;
+    }
+  }
+  std::string text() {
+    close();
+    return std::move(text_);
+  }
+
+ private:
+  /// Everything keeps its line.
+  void close() {
+    if (open_) text_ += '"' + lines_ + gap_;
+    open_ = false;
+    lines_.clear();
+    gap_.clear();
+  }
+  std::string text_, lines_, gap_;
+  bool open_ = false;  ///< the last string, behind which the gap stands
+};
+
+/// The text with every bare decimal quoted: a TOML parser rounds numbers to double and refuses those that
+/// overflow, but keeps strings as they are. What is in quotes or a comment already stays.
+std::string quote_decimals(const std::string& text) {
+  JoinedDecimals result;
+  for (std::size_t at = 0; at < text.size();) {
+    std::size_t end = at + 1;
+    if (text[at] == '#') {
+      end = std::min(text.find('\n', at), text.size());
+    } else if (text[at] == '"' || text[at] == '\'') {
+      end = std::min(text.find_first_of({text[at], '\n'}, end), text.size() - 1) + 1;
+    } else if (std::isalnum(static_cast<unsigned char>(text[at])) != 0 || text[at] == '+' ||
+               text[at] == '-') {
+      const auto is_bare = [](unsigned char c) {
+        return std::isalnum(c) != 0 || (c != 0 && std::strchr("+-._:", c));
+      };
+      while (end < text.size() && is_bare(static_cast<unsigned char>(text[end]))) ++end;
+    }
+    const std::string token = text.substr(at, end - at);
+    std::string digits = token;
+    std::erase(digits, '_');  // TOML groups digits with it
+    proofs::parse_decimal(digits) ? result.decimal(digits) : result.other(token);
+    at = end;
+  }
+  return result.text();
+}
+
+}  // namespace
+
+/// The numbers of a text that joins them by ';', behind those before.
+void add_joined(std::vector<Rational>& values, const std::string& field, const std::string& list) {
+  for (std::size_t at = 0; at <= field.size();) {
+    const std::size_t end = std::min(field.find(';', at), field.size());
+    const std::size_t first = std::min(field.find_first_not_of(' ', at), end);
+    const std::size_t last = field.find_last_not_of(' ', end - 1);
+    values.push_back(parse_number(field.substr(first, last + 1 - first), list, values.size()));
+    at = end + 1;
+  }
+}
+
+std::vector<Rational> number_list(const toml::table& table, const std::string& key,
+                                  const std::string& source) {
+  const toml::node* node = table.get(key);
+  if (node == nullptr) throw Error(source, "no key " + key, "lengths and stiffness, a list each");
+  const std::string where = files::place(*node, source) + ": " + key;
+  const toml::array* list = node->as_array();
+  if (list == nullptr) throw Error(where, "a single value", "a list of numbers in brackets");
+  std::vector<Rational> values;
+  for (const toml::node& item : *list) {
+    std::ostringstream found;
+    if (!item.is_string()) found << toml::node_view(item);
+    add_joined(values, item.value_or(found.str()), where);
+  }
+  return values;
+}
+
+toml::table parse_decimal_toml(const std::string& text, const std::string& source) {
+  return files::parse_toml(quote_decimals(text), source);
+}
+
+Rational number_of(const toml::node& node, const std::string& where) {
+  std::ostringstream found;
+  if (!node.is_string()) found << toml::node_view(node);
+  const std::string text = node.value_or(found.str());
+  const auto value = proofs::parse_decimal(text);
+  if (!value) throw Error(where, files::shown(text), "a decimal number");
+  return *value;
+}
+
+}  // namespace plumbline::app

@@ -1,0 +1,29 @@
+#pragma once
+/// \file
+/// TOML whose numbers are the exact decimals that stand there.
+
+#include <plumbline/base/error.hpp>
+#include <plumbline/base/number.hpp>
+#include <string>
+#include <vector>
+
+#include "support/files/toml_file.hpp"
+
+namespace plumbline::app {
+
+/// Every bare decimal becomes a string, those that follow each other in a list one string, joined by `;`.
+/// \throws Error that names the source and the line
+toml::table parse_decimal_toml(const std::string& text, const std::string& source);
+
+/// The numbers of a text that joins them by ';', behind those before. \param list  names them in errors; the
+/// numbers of a list whose name ends in lengths or stiffness are positive, or not negative
+void add_joined(std::vector<Rational>& values, const std::string& field, const std::string& list);
+
+/// The list of numbers that is the value of a key. \throws Error where there is none
+std::vector<Rational> number_list(const toml::table& table, const std::string& key,
+                                  const std::string& source);
+
+/// A single number. \throws Error at the place where it is none
+Rational number_of(const toml::node& node, const std::string& where);
+
+}  // namespace plumbline::app

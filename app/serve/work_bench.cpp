@@ -1,0 +1,221 @@
+#include "app/serve/work_bench.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <plumbline/base/error.hpp>
+
+#include "app/command.hpp"
+#include "app/example_files.hpp"
+#include "app/experiment_input.hpp"
+#include "diagnose/bench/read_experiment.hpp"
+#include "diagnose/exchange/corrected.hpp"
+#include "diagnose/report/report.hpp"
+#include "diagnose/screening/conventions.hpp"
+#include "support/files/output_file.hpp"
+#include "support/files/printable.hpp"
+#include "support/files/text_file.hpp"
+#include "support/page/provenance.hpp"
+
+namespace plumbline::app {
+namespace {
+
+using nlohmann::json;
+
+struct Cancelled {};
+
+/// A name that a browser gave: of a file in our folder, and nothing else.
+std::string own_name(const std::string& given) {
+  const std::size_t slash = given.find_last_of("/\\");
+  const std::string name = slash == std::string::npos ? given : given.substr(slash + 1);
+  constexpr std::size_t longest = 100;
+  const bool plain = !name.empty() && name.front() != '.' && name.size() <= longest &&
+                     files::printable(name) == name && name.find('"') == std::string::npos;
+  if (!plain || name == "experiment.toml" || name == "experiment.schema.json")
+    throw Error("a file", "the name " + files::shown(given), "a plain one");
+  return name;
+}
+
+json numbers(const std::vector<double>& values) {
+  json list = json::array();
+  for (const double value : values) list.push_back(std::isfinite(value) ? json(value) : json());
+  return list;
+}
+
+/// What a person sees of a run: the first plots.
+json readings(const diagnose::Run& run) {
+  constexpr std::size_t most = 300;
+  const std::size_t step = run.readings.size() / most + 1;
+  std::vector<double> x, y, Fx, Fy;
+  for (std::size_t i = 0; i < run.readings.size(); i += step) {
+    const diagnose::Reading& r = run.readings[i];
+    x.push_back(r.x), y.push_back(r.y), Fx.push_back(r.Fx), Fy.push_back(r.Fy);
+  }
+  return {{"id", run.id},      {"control", run.holds_end_point() ? "displacement" : "force"},
+          {"rest", run.rest},  {"count", run.readings.size()},
+          {"x", numbers(x)},   {"y", numbers(y)},
+          {"Fx", numbers(Fx)}, {"Fy", numbers(Fy)}};
+}
+
+json guesses_of(const diagnose::Guesses& guesses) {
+  json list = json::array();
+  for (const diagnose::Guess& one : guesses)
+    list.push_back(
+        {{"what", one.what}, {"value", one.value}, {"reason", one.reason}, {"doubtful", one.doubtful}});
+  return list;
+}
+
+}  // namespace
+
+json WorkBench::take(const NamedFile& model, const std::vector<NamedFile>& tables,
+                     const std::vector<std::string>& joints) {
+  cancel();
+  place_.emplace();
+  model_ = own_name(model.name);
+  files::write_text(*place_ / model_, model.text);
+  read_ = read_for_draft(*place_ / model_, joints);
+  std::vector<diagnose::DraftFile> drafted;
+  for (const NamedFile& table : tables) {
+    const std::string name = own_name(table.name);
+    files::require_text(table.text, name);
+    drafted.push_back({name, table.text});
+  }
+  draft_ = diagnose::draft_experiment(model_.substr(0, model_.find_last_of('.')), read_.model, drafted);
+  write_draft(draft_, place_->path());
+  outcome_ = {};
+  return described();
+}
+
+json WorkBench::take_example() {
+  cancel();
+  place_.emplace();
+  model_.clear();
+  read_ = {};
+  draft_ = {};
+  for (const auto& [name, text] : example_files) {
+    if (std::string(name) == "experiment.toml") {
+      draft_.settings = text;
+    } else {
+      draft_.tables.push_back({name, text});
+    }
+  }
+  write_draft(draft_, place_->path());
+  outcome_ = {};
+  return described();
+}
+
+json WorkBench::correct(const std::string& settings) {
+  if (!place_) throw Error("experiment", "no files yet", "a model and tables, or the example");
+  files::require_text(settings, "experiment.toml");
+  cancel();
+  draft_.settings = settings;
+  draft_.question.clear();
+  files::write_text(*place_ / "experiment.toml", settings);
+  return described();
+}
+
+/// As it is read now: what is wrong is said, and is no failure.
+json WorkBench::described() const {
+  json result{{"notes", read_.notes},
+              {"guesses", guesses_of(draft_.guesses)},
+              {"settings", draft_.settings},
+              {"question", draft_.question},
+              {"runs", json::array()}};
+  try {
+    const diagnose::Experiment experiment = diagnose::read_experiment(place_->path());
+    for (const diagnose::Run& run : experiment.runs) result["runs"].push_back(readings(run));
+    result["link_length"] = experiment.link_length;
+    require_conventions(study_of({}, experiment));
+  } catch (const Error& question) {
+    std::string text = question.what();
+    const std::string folder = place_->path().string() + "/";
+    for (std::size_t at; (at = text.find(folder)) != std::string::npos;) text.erase(at, folder.size());
+    result["question"] = text;
+  }
+  return result;
+}
+
+json WorkBench::begin(bool as_is) {
+  if (!place_) throw Error("experiment", "no files yet", "a model and tables, or the example");
+  cancel();
+  {
+    const std::lock_guard lock(mutex_);
+    outcome_ = {State::busy, "", "", {}};
+  }
+  share_ = 0;
+  job_ = std::jthread([this, as_is](const std::stop_token& stop) { diagnose(as_is, stop); });
+  return progress();
+}
+
+void WorkBench::diagnose(bool as_is, const std::stop_token& stop) {
+  Outcome outcome{State::done, "", "", {}};
+  try {
+    const ExperimentInput input{place_->path().string(), "", ""};
+    const diagnose::Experiment experiment = experiment_of(input);
+    const diagnose::Study study = study_of(input, experiment);
+    if (!as_is) require_conventions(study);
+    const diagnose::Diagnosis found = diagnose::diagnose(study, [&](double share) {
+      if (stop.stop_requested()) throw Cancelled();
+      share_ = share;
+    });
+    outcome.words = as_text(found);
+    const page::Provenance from{program_name(), "plumbline diagnose, on the page", ""};
+    outcome.page = page::on_page(diagnose::as_html(study, found), from);
+    const std::filesystem::path source = model_.empty() ? "" : *place_ / model_;
+    const std::string ending = model_.empty() ? ".toml" : source.extension().string();
+    for (const exchange::Corrected& one : exchange::corrected_models(study, found, source)) {
+      const std::string stem = (model_.empty() ? std::string("model") : source.stem().string()) +
+                               "-corrected" + (one.cause.empty() ? "" : "-" + one.cause);
+      for (const std::string& format : {ending, std::string(".toml")}) {
+        if (format == ".toml" && ending == ".toml" && !outcome.models.empty() &&
+            outcome.models.back().name == stem + ".toml")
+          continue;
+        outcome.models.push_back(
+            {stem + format, exchange::written(one.model, exchange::format_of("x" + format)).text});
+      }
+    }
+  } catch (const Cancelled&) {
+    outcome = {State::cancelled, "given up", "", {}};
+  } catch (const std::exception& error) {
+    outcome = {State::failed, error.what(), "", {}};
+  }
+  const std::lock_guard lock(mutex_);
+  outcome_ = std::move(outcome);
+}
+
+json WorkBench::progress() const {
+  const std::lock_guard lock(mutex_);
+  constexpr const char* names[] = {"nothing", "busy", "done", "failed", "cancelled"};
+  json models = json::array();
+  for (const NamedFile& one : outcome_.models) models.push_back(one.name);
+  return {{"state", names[static_cast<int>(outcome_.state)]},
+          {"share", share_.load()},
+          {"words", outcome_.words},
+          {"models", models}};
+}
+
+void WorkBench::cancel() {
+  if (!job_.joinable()) return;
+  job_.request_stop();
+  job_.join();
+}
+
+std::string WorkBench::report() const {
+  const std::lock_guard lock(mutex_);
+  return outcome_.page;
+}
+
+std::vector<NamedFile> WorkBench::corrected() const {
+  const std::lock_guard lock(mutex_);
+  return outcome_.models;
+}
+
+std::vector<NamedFile> WorkBench::folder() const {
+  std::vector<NamedFile> all;
+  if (!place_) return all;
+  for (const diagnose::DraftFile& file : files_of(draft_)) all.push_back({file.name, file.text});
+  if (!model_.empty()) all.push_back({model_, files::read_text(*place_ / model_)});
+  return all;
+}
+
+}  // namespace plumbline::app

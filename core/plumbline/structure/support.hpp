@@ -1,0 +1,56 @@
+#pragma once
+/// \file
+/// What holds a chain: the ends of it and any joint.
+
+#include <plumbline/base/error.hpp>
+#include <plumbline/base/number.hpp>
+#include <string>
+
+namespace plumbline {
+
+/// How one motion of one place is restrained.
+enum class Hold {
+  free,    ///< not at all
+  sprung,  ///< by a linear spring to the ground
+  held     ///< it is zero
+};
+
+/// One motion of one place.
+template <Number Real>
+struct Restraint {
+  Hold hold = Hold::free;
+  Real stiffness{0};  ///< of the spring, where there is one
+
+  static Restraint held() { return {Hold::held, Real(0)}; }
+  /// A stiffness of zero is no spring.
+  static Restraint sprung(Real stiffness) { return {Hold::sprung, std::move(stiffness)}; }
+  /// Whether it costs nothing.
+  [[nodiscard]] bool is_free() const {
+    return hold == Hold::free || (hold == Hold::sprung && stiffness == Real(0));
+  }
+  [[nodiscard]] bool is_held() const { return hold == Hold::held; }
+};
+
+/// What holds an end: along the straight chain, across it, and against turning with the link that ends there.
+template <Number Real>
+struct Support {
+  Restraint<Real> along, across, turn;
+};
+
+/// The base as in the paper: it does not move, and the spring of joint 1 alone holds the direction of link 1.
+template <Number Real>
+Support<Real> pinned() {
+  return {Restraint<Real>::held(), Restraint<Real>::held(), {}};
+}
+/// The end point as in the paper: led along the line.
+template <Number Real>
+Support<Real> guided() {
+  return {{}, Restraint<Real>::held(), {}};
+}
+/// Led along the line, its link's direction held.
+template <Number Real>
+Support<Real> clamped() {
+  return {{}, Restraint<Real>::held(), Restraint<Real>::held()};
+}
+
+}  // namespace plumbline

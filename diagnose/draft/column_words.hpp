@@ -1,0 +1,30 @@
+#pragma once
+/// \file
+/// The meaning of a column title: quantity, joint, unit.
+
+#include <string>
+
+#include "diagnose/bench/unit.hpp"
+
+namespace plumbline::diagnose {
+
+/// The content of a column.
+enum class Kind { none, time, x, y, z, force_x, force_y, force_z, force, angle, run };
+
+struct ColumnWords {
+  Kind kind = Kind::none;
+  std::size_t joint = 0;   ///< of an angle, from 1; 0 where no number says it
+  bool commanded = false;  ///< "x_cmd": what was asked for, not what was reached
+  std::string unit;        ///< "mm", where the words have one that is one; else empty
+};
+
+/// \param title   "Traverse [mm]", "F_x (N)", "joint_2_pos"
+/// \param below   what a line of units has under it; or empty
+/// \param joints  the names of the joints, from 1
+ColumnWords words_of(const std::string& title, const std::string& below,
+                     const std::vector<std::string>& joints);
+
+/// The quantity of a kind; nothing of a run.
+const Quantity* quantity_of(Kind kind);
+
+}  // namespace plumbline::diagnose

@@ -1,0 +1,22 @@
+#pragma once
+/// \file
+/// The text of a drafted experiment.toml.
+
+#include <string>
+#include <vector>
+
+#include "diagnose/draft/drafted_run.hpp"
+
+namespace plumbline::diagnose {
+
+/// All drafted runs and their common settings.
+struct DraftedExperiment {
+  std::string name;
+  std::vector<DraftedRun> runs;
+  bool absolute_angles = false;
+};
+
+/// The first line names the schema for editors.
+std::string settings_text(const DraftedExperiment& experiment, const DraftModel& model);
+
+}  // namespace plumbline::diagnose

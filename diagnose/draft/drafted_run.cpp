@@ -1,0 +1,398 @@
+#include "diagnose/draft/drafted_run.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <plumbline/base/error.hpp>
+#include <sstream>
+
+#include "diagnose/draft/column_numbers.hpp"
+#include "diagnose/draft/rest_shape.hpp"
+#include "support/files/printable.hpp"
+
+namespace plumbline::diagnose {
+namespace {
+
+using Values = std::vector<double>;
+
+std::optional<Values> numbers_of(const std::string& text) {
+  std::string plain = text;
+  std::replace_if(
+      plain.begin(), plain.end(), [](char c) { return c == ',' || c == ';' || c == '[' || c == ']'; }, ' ');
+  std::istringstream in(plain);
+  Values all;
+  for (double value = 0; in >> value;) all.push_back(value);
+  return in.eof() ? std::optional(all) : std::nullopt;
+}
+
+class Drafter {
+ public:
+  Drafter(const DraftFile& file, const DraftModel& model, const Ask& ask)
+      : model_(model), ask_(ask), joints_(model.chain.link_length.size()) {
+    run_.file = file.name;
+    run_.id = file.name.substr(0, file.name.find_last_of('.'));
+    run_.table = written_table(file.text, file.name);
+    run_.guesses = run_.table.guesses;
+    reach_ = std::accumulate(model.chain.link_length.begin(), model.chain.link_length.end(), 0.0);
+  }
+
+  DraftedRun result() {
+    read_words();
+    find_singles();
+    find_angles();
+    require_something();
+    find_length_unit();
+    find_angle_unit();
+    find_control();
+    take_commands();
+    find_rest();
+    return std::move(run_);
+  }
+
+ private:
+  /// \return what is to be taken instead
+  std::optional<std::string> say(const std::string& what, const std::string& value, const std::string& reason,
+                                 bool doubtful = false) {
+    Guess guess{what + " of " + run_.file, value, reason, doubtful};
+    std::optional<std::string> answer;
+    if (doubtful && ask_) answer = ask_(guess);
+    if (answer) guess = {guess.what, *answer, "as you said", false};
+    run_.guesses.push_back(std::move(guess));
+    return answer;
+  }
+
+  [[nodiscard]] std::string title(std::size_t column) const {
+    const std::vector<std::string>& names = run_.table.names;
+    return column < names.size() && !names[column].empty() ? names[column]
+                                                           : fmt::format("column {}", column + 1);
+  }
+
+  void read_words() {
+    const WrittenTable& table = run_.table;
+    const std::size_t columns = table.table.rows.front().fields.size();
+    for (std::size_t c = 0; c < columns; ++c)
+      words_.push_back(words_of(c < table.names.size() ? table.names[c] : "",
+                                c < table.units.size() ? table.units[c] : "", model_.joints));
+    if (!table.names.empty()) return;
+    // No words at all: as the format has its columns.
+    const std::array order{Kind::time, Kind::x, Kind::y, Kind::force_x, Kind::force_y};
+    const bool standard = columns == order.size() || columns == order.size() + joints_;
+    if (!standard) return;
+    for (std::size_t c = 0; c < columns; ++c) {
+      words_[c].kind = c < order.size() ? order[c] : Kind::angle;
+      if (c >= order.size()) words_[c].joint = c - order.size() + 1;
+    }
+    say("columns", "t, x, y, Fx, Fy" + std::string(columns > order.size() ? " and the joint angles" : ""),
+        fmt::format("there are {} and no words above them", columns), true);
+  }
+
+  [[nodiscard]] std::optional<std::size_t> column_of(Kind kind, bool commanded) const {
+    for (std::size_t c = 0; c < words_.size(); ++c)
+      if (words_[c].kind == kind && words_[c].commanded == commanded) return c;
+    return {};
+  }
+  [[nodiscard]] bool has(Kind kind) const {
+    return column_of(kind, false).has_value() || column_of(kind, true).has_value();
+  }
+
+  void take(std::size_t single, Kind kind, const std::string& reason, bool doubtful = false) {
+    std::optional<std::size_t> column = column_of(kind, false);
+    if (!column) column = column_of(kind, true);
+    if (!column) return;
+    const std::string said = words_[*column].unit, name = title(*column);
+    const auto answer =
+        say(single_names[single], name + (said.empty() ? "" : ", in " + said), reason, doubtful);
+    if (answer) {
+      const auto named = std::find(run_.table.names.begin(), run_.table.names.end(), *answer);
+      if (named != run_.table.names.end())
+        column = static_cast<std::size_t>(named - run_.table.names.begin());
+    }
+    run_.singles[single] = DraftColumn{*column, words_[*column].unit};
+    kinds_[single] = kind;
+  }
+
+  void find_singles() {
+    const std::string by_word = "its name";
+    take(draft_t, Kind::time, by_word);
+    const bool upright = !has(Kind::y) && has(Kind::z),
+               force_upright = !has(Kind::force_y) && has(Kind::force_z);
+    take(draft_x, Kind::x, by_word);
+    take(draft_y, upright ? Kind::z : Kind::y, upright ? "z is up, and there is no y" : by_word, upright);
+    take(draft_Fx, has(Kind::force_x) ? Kind::force_x : Kind::force,
+         has(Kind::force_x) ? by_word : "the only force: taken for the one along x", !has(Kind::force_x));
+    take(draft_Fy, force_upright ? Kind::force_z : Kind::force_y, force_upright ? "z is up" : by_word,
+         force_upright);
+  }
+
+  /// One for each joint: by number or name, or as many as there are joints, in their order.
+  [[nodiscard]] std::vector<std::size_t> angle_columns(bool commanded) const {
+    std::vector<std::size_t> numbered(joints_, words_.size()), all;
+    for (std::size_t c = 0; c < words_.size(); ++c) {
+      if (words_[c].kind != Kind::angle || words_[c].commanded != commanded) continue;
+      all.push_back(c);
+      if (words_[c].joint > 0 && words_[c].joint <= joints_) numbered[words_[c].joint - 1] = c;
+    }
+    const bool each = std::find(numbered.begin(), numbered.end(), words_.size()) == numbered.end();
+    if (each) return numbered;
+    return all.size() == joints_ ? all : std::vector<std::size_t>();
+  }
+
+  void find_angles() {
+    std::vector<std::string> names;
+    for (const std::size_t c : angle_columns(false)) {
+      run_.angles.push_back({c, words_[c].unit});
+      names.push_back(title(c));
+    }
+    if (!names.empty()) say("q", fmt::format("{}", fmt::join(names, ", ")), "one for each joint");
+  }
+
+  void require_something() const {
+    const auto& s = run_.singles;
+    if (s[draft_x] || s[draft_y] || s[draft_Fx] || s[draft_Fy] || !run_.angles.empty()) return;
+    std::vector<std::string> titles;
+    for (std::size_t c = 0; c < words_.size(); ++c) titles.push_back(title(c));
+    throw Error(run_.file,
+                fmt::format("the columns {}", files::shown(fmt::format("{}", fmt::join(titles, ", ")))),
+                "a name that says x, y, Fx, Fy or q1 of some of them");
+  }
+
+  /// The end point reaches no farther than the chain: metres, or what makes it so.
+  void find_length_unit() {
+    auto& x = run_.singles[draft_x];
+    auto& y = run_.singles[draft_y];
+    for (auto* one : {&x, &y})
+      if (*one && (*one)->unit.empty())
+        if (auto* other = one == &x ? &y : &x; *other) (*one)->unit = (*other)->unit;
+    if (!x && !y) return;
+    const auto most = [&](const std::array<double, 2>& base, double unit) {
+      const Values xs = x ? raw(*x) : Values(), ys = y ? raw(*y) : Values();
+      double far = 0;
+      for (std::size_t i = 0; i < std::max(xs.size(), ys.size()); ++i) {
+        const double a = i < xs.size() && std::isfinite(xs[i]) ? xs[i] * unit - base[0] : 0;
+        const double b = i < ys.size() && std::isfinite(ys[i]) ? ys[i] * unit - base[1] : 0;
+        far = std::max(far, std::hypot(a, b));
+      }
+      return far;
+    };
+    constexpr double slack = 1.02, least = 0.03;
+    const std::array<double, 2> own{0, 0};
+    const bool elsewhere = std::hypot(model_.base[0], model_.base[1]) > 0;
+    const bool said = !(x ? x : y)->unit.empty();
+    const std::vector<std::string> units = said ? std::vector<std::string>{(x ? x : y)->unit}
+                                                : std::vector<std::string>{"m", "mm", "cm", "in", "um"};
+    for (const bool from_base : {true, false}) {
+      if (!from_base && !elsewhere) break;
+      for (const std::string& unit : units) {
+        const double factor = parse_unit(unit, quantity::length, "").in_si();
+        const double far = most(from_base ? own : model_.base, factor);
+        if (far > slack * reach_ || far < least * reach_) continue;
+        set_place(x, unit, from_base ? 0 : model_.base[0] / factor);
+        set_place(y, unit, from_base ? 0 : model_.base[1] / factor);
+        if (!said)
+          say("unit of x, y", unit,
+              fmt::format("the farthest reading is then {:.4g} m from the base, the chain {:.4g} m long", far,
+                          reach_));
+        if (!from_base)
+          say("zero of x, y", fmt::format("{:.6g}, {:.6g} m", model_.base[0], model_.base[1]),
+              "counted from where the model has its origin, as its joint 1 is there");
+        return;
+      }
+    }
+    say("unit of x, y", said ? units.front() : "m", "no unit puts the readings within the reach of the chain",
+        true);
+  }
+  static void set_place(std::optional<DraftColumn>& column, const std::string& unit, double zero) {
+    if (!column) return;
+    column->unit = unit;
+    column->zero = zero;
+  }
+
+  void find_angle_unit() {
+    if (run_.angles.empty() || !run_.angles.front().unit.empty()) return;
+    double most = 0;
+    for (const DraftColumn& column : run_.angles)
+      for (const double value : finite(raw(column))) most = std::max(most, std::abs(value));
+    constexpr double once_around = 6.4;
+    if (most <= once_around) return;
+    for (DraftColumn& column : run_.angles) column.unit = "deg";
+    say("unit of q", "deg", fmt::format("angles up to {:.4g} are more than once around in rad", most));
+  }
+
+  [[nodiscard]] Values raw(const DraftColumn& column) const { return run_.table.numbers(column.place); }
+
+  /// What is imposed goes in even steps; what is measured scatters.
+  void find_control() {
+    const auto& s = run_.singles;
+    const bool places = s[draft_x] || s[draft_y], forces = s[draft_Fx] || s[draft_Fy];
+    if (!places || !forces) {
+      run_.imposes_force = !places;
+      if (places)
+        return impose_place("there is no force: the end point is put, and only joint angles are read");
+      return impose_nothing(forces);
+    }
+    const auto rough = [&](std::size_t a, std::size_t b) {
+      double most = 0;
+      for (const std::size_t c : {a, b})
+        if (s[c]) most = std::max(most, roughness(raw(*s[c])));
+      return most;
+    };
+    const double of_place = rough(draft_x, draft_y), of_force = rough(draft_Fx, draft_Fy);
+    const bool commanded_force = column_of(kinds_[draft_Fx], true).has_value(),
+               commanded_place = column_of(kinds_[draft_x], true).has_value();
+    run_.imposes_force = commanded_force != commanded_place ? commanded_force : of_force < of_place;
+    constexpr double clearly = 2;
+    const bool sure = commanded_force != commanded_place ||
+                      std::max(of_place, of_force) > clearly * std::min(of_place, of_force);
+    const std::string reason =
+        commanded_force != commanded_place
+            ? "a column has the commands"
+            : fmt::format(
+                  "from reading to reading the {} go more evenly than the {} ({:.2g} % against {:.2g} % of "
+                  "their range)",
+                  run_.imposes_force ? "forces" : "places", run_.imposes_force ? "places" : "forces",
+                  100 * std::min(of_place, of_force), 100 * std::max(of_place, of_force));
+    const auto answer = say("control", run_.imposes_force ? "force" : "displacement", reason, !sure);
+    if (answer) run_.imposes_force = *answer == "force";
+    run_.imposes_force ? impose_force() : impose_place("");
+  }
+
+  /// A chain that nothing presses on: an arm that is held by its servos.
+  void impose_nothing(bool forces) {
+    run_.imposes_force = true;
+    if (!forces) say("Fx, Fy", "0", "there is no force among the columns: nothing but weights acts");
+    impose_force();
+  }
+  void impose_force() {
+    for (const std::size_t c : {draft_Fx, draft_Fy})
+      if (!run_.singles[c]) run_.singles[c] = DraftColumn{0, "", 1, 0, 0.0};
+  }
+  void impose_place(const std::string& reason) {
+    if (!reason.empty()) say("control", "displacement", reason);
+    const std::array<double, 2> rest = end_point(model_.chain, model_.chain.rest);
+    for (const std::size_t c : {draft_x, draft_y})
+      if (!run_.singles[c]) {
+        const double value = rest[c == draft_x ? 0 : 1];
+        run_.singles[c] = DraftColumn{0, "", 1, 0, value};
+        say(single_names[c], fmt::format("{:.6g} m throughout", value),
+            "no column has it: held where the model rests", true);
+      }
+  }
+
+  /// Of what is imposed the command counts, of what is measured what was reached.
+  void take_commands() {
+    for (const std::size_t c : run_.imposes_force ? std::array<std::size_t, 2>{draft_Fx, draft_Fy}
+                                                  : std::array<std::size_t, 2>{draft_x, draft_y}) {
+      const auto column = kinds_[c] == Kind::none ? std::nullopt : column_of(kinds_[c], true);
+      if (!column || !run_.singles[c] || run_.singles[c]->constant) continue;
+      run_.singles[c]->place = *column;
+      say(single_names[c], title(*column), "of what is imposed the command counts");
+    }
+  }
+
+  [[nodiscard]] bool begins_unloaded() const {
+    constexpr double nothing = 0.03;
+    for (const std::size_t c : {draft_Fx, draft_Fy}) {
+      const auto& column = run_.singles[c];
+      if (!column || column->constant) continue;
+      const Values force = raw(*column);
+      double most = 0;
+      for (const double value : finite(force)) most = std::max(most, std::abs(value));
+      if (std::isfinite(force.front()) && std::abs(force.front()) > nothing * most + 3 * scatter_of(force))
+        return false;
+    }
+    return true;
+  }
+
+  /// The unloaded shape: commanded angles, the model's, or that of a first reading without load.
+  void find_rest() {
+    if (const std::vector<std::size_t> commands = angle_columns(true); !commands.empty()) {
+      for (const std::size_t c : commands) {
+        const DraftColumn column{
+            c, words_[c].unit.empty() && !run_.angles.empty() ? run_.angles.front().unit : words_[c].unit};
+        run_.rest.push_back(run_.values(column, quantity::angle).front());
+      }
+      say("rest", fmt::format("{:.4g}", fmt::join(run_.rest, ", ")), "the commanded angles");
+      return;
+    }
+    const Values& own = model_.chain.rest;
+    constexpr double near = 0.02;
+    if (!run_.angles.empty()) {
+      Values first;
+      double away = 0;
+      for (std::size_t j = 0; j < joints_; ++j) {
+        first.push_back(run_.values(run_.angles[j], quantity::angle).front());
+        away = std::max(away, std::abs(first[j] - (j < own.size() ? own[j] : 0)));
+      }
+      if (!own.empty() && away < near) return;
+      if (begins_unloaded())
+        return set_rest(first, "the first reading, which is without load", own.empty() ? NAN : away);
+    }
+    const Values xs = run_.values(draft_x), ys = run_.values(draft_y);
+    if (xs.empty() || ys.empty() || !std::isfinite(xs.front()) || !std::isfinite(ys.front()))
+      return ask_rest("nothing in the table says it");
+    const std::array<double, 2> end = end_point(model_.chain, own);
+    const double gap = std::hypot(xs.front() - end[0], ys.front() - end[1]);
+    if (!own.empty() && (gap < near * reach_ || !begins_unloaded())) return;
+    const Values middle = own.empty() ? Values(joints_, 0.0) : own;
+    if (const auto shape = reaching(model_.chain, middle, {xs.front(), ys.front()}))
+      return set_rest(*shape, "the shape that has the end point where the first reading has it",
+                      gap / reach_);
+    ask_rest(fmt::format(
+        "the model's puts the end point {:.3g} m from the first reading, which is without load", gap));
+  }
+
+  void set_rest(const Values& rest, const std::string& reason, double away) {
+    constexpr double large = 0.3;
+    run_.rest = rest;
+    const auto answer =
+        say("rest", fmt::format("{:.4g} rad", fmt::join(rest, ", ")), reason, !(away < large));
+    if (answer) take_rest(*answer);
+  }
+  void ask_rest(const std::string& reason) {
+    const auto answer = say("rest", model_.chain.rest.empty() ? "not known" : "the model's", reason, true);
+    if (answer) return take_rest(*answer);
+    run_.question = fmt::format(
+        "rest of {}: found {}, expected rest = [...], the {} unloaded joint angles, in its [[run]]",
+        run_.file, reason, joints_);
+  }
+  void take_rest(const std::string& answer) {
+    const auto values = numbers_of(answer);
+    if (!values || values->size() != joints_)
+      throw Error("rest of " + run_.file, files::shown(answer), fmt::format("{} angles in rad", joints_));
+    run_.rest = *values;
+  }
+
+  const DraftModel& model_;
+  const Ask& ask_;
+  std::size_t joints_;
+  double reach_ = 0;
+  DraftedRun run_;
+  std::vector<ColumnWords> words_;
+  std::array<Kind, draft_singles> kinds_{};
+};
+
+}  // namespace
+
+std::vector<double> DraftedRun::values(const DraftColumn& column, const Quantity& quantity) const {
+  if (column.constant) return Values(table.table.rows.size(), *column.constant);
+  const double unit = column.unit.empty() ? 1 : parse_unit(column.unit, quantity, "").in_si();
+  Values all = table.numbers(column.place);
+  for (double& value : all) value = column.sign * (value - column.zero) * unit;
+  return all;
+}
+
+std::vector<double> DraftedRun::values(std::size_t single) const {
+  if (!singles[single]) return {};
+  return values(*singles[single], single == draft_t                        ? quantity::time
+                                  : single == draft_x || single == draft_y ? quantity::length
+                                                                           : quantity::force);
+}
+
+DraftedRun drafted_run(const DraftFile& file, const DraftModel& model, const Ask& ask) {
+  return Drafter(file, model, ask).result();
+}
+
+}  // namespace plumbline::diagnose

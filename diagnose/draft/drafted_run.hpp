@@ -1,0 +1,48 @@
+#pragma once
+/// \file
+/// One drafted run: the channels of its columns, their units, the imposed quantity and the rest.
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "diagnose/draft/column_words.hpp"
+#include "diagnose/draft/draft.hpp"
+#include "diagnose/draft/written_table.hpp"
+
+namespace plumbline::diagnose {
+
+/// A column of a channel, as experiment.toml is to say it.
+struct DraftColumn {
+  std::size_t place = 0;  ///< in the table, from 0
+  std::string unit;
+  int sign = 1;
+  double zero = 0;                      ///< in the unit
+  std::optional<double> constant = {};  ///< instead of a column
+};
+
+/// The channels t, x, y, Fx, Fy.
+enum : std::size_t { draft_t, draft_x, draft_y, draft_Fx, draft_Fy, draft_singles };
+inline constexpr std::array<const char*, draft_singles> single_names{"t", "x", "y", "Fx", "Fy"};
+
+struct DraftedRun {
+  std::string id, file;
+  WrittenTable table;
+  std::array<std::optional<DraftColumn>, draft_singles> singles;
+  std::vector<DraftColumn> angles;  ///< of all joints, or none
+  bool imposes_force = false;
+  std::vector<double> rest;  ///< rad; empty where the model's serves
+  Guesses guesses;
+  std::string question;  ///< what a person has to say, in a line; or empty
+
+  /// A channel in SI.
+  [[nodiscard]] std::vector<double> values(const DraftColumn& column, const Quantity& quantity) const;
+  [[nodiscard]] std::vector<double> values(std::size_t single) const;
+};
+
+/// Identifies columns by their titles; units, zeros, the imposed quantity and the rest by their numbers.
+/// \throws Error where no column of a place, a force or an angle can be told
+DraftedRun drafted_run(const DraftFile& file, const DraftModel& model, const Ask& ask);
+
+}  // namespace plumbline::diagnose

@@ -1,0 +1,21 @@
+#include "proofs/exact/critical_torque.hpp"
+
+#include "proofs/exact/exact_matrix.hpp"
+
+namespace plumbline::proofs {
+
+CriticalTorque critical_torque(const SpaceChain<Rational>& chain, const SpaceLoad<Rational>& ends,
+                               TorqueKind kind, int digits) {
+  const TorquePencil<Rational> pencil = torque_pencil(chain, ends, kind);
+  if (determinant(pencil.stiffness) == 0)
+    throw Error("structure", "a mechanism, which moves across without any force",
+                "ends, springs and stiffnesses that hold it");
+  const PositiveRoots roots(pencil_determinant(pencil.stiffness, -pencil.torque));
+  const auto root = roots.next(0);
+  if (!root)
+    throw Error("load", "a torque that bends the straight chain at no value", "joints about two axes");
+  return {narrowed(*root, digits, [&](const Rational& torque) { return roots.reached(*root, torque); }),
+          pencil.conservative};
+}
+
+}  // namespace plumbline::proofs

@@ -1,0 +1,68 @@
+#pragma once
+/// \file
+/// Positive real roots of exact polynomials one after the other, isolated by Sturm's theorem.
+
+#include <optional>
+#include <string>
+
+#include "proofs/exact/polynomial.hpp"
+
+namespace plumbline::proofs {
+
+/// low < root < high, and no other root there; neither end is one.
+struct RootBracket {
+  Rational low, high;
+};
+
+class PositiveRoots {
+ public:
+  /// \throws Error for p = 0
+  explicit PositiveRoots(Polynomial p);
+
+  /// The lowest root above `from`, which is no root, or is zero; nothing where there is none.
+  [[nodiscard]] std::optional<RootBracket> next(const Rational& from) const;
+  /// Whether the root in a bracket lies at x or below.
+  [[nodiscard]] bool reached(const RootBracket& bracket, const Rational& x) const;
+
+ private:
+  Polynomial p_;
+  SturmSequence sturm_;
+  Rational end_;  ///< beyond all roots
+};
+
+/// A number in a bracket, to so many digits.
+struct NarrowBracket {
+  Rational low, high;   ///< half a unit of the last digit apart at most
+  std::string decimal;  ///< rounded to nearest
+};
+
+/// A bracket, halved until both ends round alike, or a root half-way between two decimals is all that is
+/// left. \param reached  whether what is sought lies at a number or below
+template <class Reached>
+NarrowBracket narrowed(RootBracket bracket, int digits, const Reached& reached);
+
+}  // namespace plumbline::proofs
+
+#include "proofs/exact/decimal.hpp"
+
+namespace plumbline::proofs {
+
+template <class Reached>
+NarrowBracket narrowed(RootBracket bracket, int digits, const Reached& reached) {
+  for (;;) {
+    const Rational width = bracket.high - bracket.low;
+    const bool narrow = bracket.low > 0 && 2 * width < unit_in_digit(bracket.low, digits);
+    const std::string text = to_decimal(bracket.low, digits);
+    if (narrow && (text == to_decimal(bracket.high, digits) ||
+                   width < shifted(unit_in_digit(bracket.low, digits), -20)))
+      return {bracket.low, bracket.high, text};
+    // a short decimal near the middle: what others check stays short
+    const Rational middle = (bracket.low + bracket.high) / 2;
+    const auto places = static_cast<int>(mpz_sizeinbase(mpq_denref(width.backend().data()), 10));
+    Rational at = *parse_decimal(to_fixed(middle, places));
+    if (!(bracket.low < at && at < bracket.high)) at = middle;
+    (reached(at) ? bracket.high : bracket.low) = at;
+  }
+}
+
+}  // namespace plumbline::proofs

@@ -1,0 +1,117 @@
+"""Chains out of simulators' models, and experiments drafted out of them and tables of readings."""
+from __future__ import annotations
+
+import os
+import pathlib
+import tempfile
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, NamedTuple, Union
+
+from plumbline import _engine
+from plumbline._engine import Error
+from plumbline.numbers import Floats
+
+PathLike = Union[str, "os.PathLike[str]"]
+#: A file (MJCF, URDF, SDF or our TOML), or a specification of MuJoCo's own (`mujoco.MjSpec`).
+Model = Union[PathLike, Any]
+
+
+@dataclass(frozen=True)
+class NominalChain:
+    """The planar elastic chain of a model, in SI and radians: what `diagnose` takes as `nominal`."""
+
+    link_length: Floats
+    joint_stiffness: Floats
+    link_mass: Floats
+    gravity: Floats
+    rest: Floats
+    joints: list[str]  #: their names in the model, from the base on
+    notes: list[str]  #: what was assumed and what was left out
+
+    def settings(self) -> dict[str, list[float]]:
+        """As the table [nominal] of an experiment has it."""
+        return {key: getattr(self, key).tolist()
+                for key in ("link_length", "joint_stiffness", "link_mass", "gravity", "rest") if len(getattr(self, key))}
+
+
+class ModelFile:
+    """A model as a file, which is there as long as this is."""
+
+    def __init__(self, model: Model | None) -> None:
+        self._folder: tempfile.TemporaryDirectory[str] | None = None
+        if not hasattr(model, "to_xml"):
+            self.path = "" if model is None else os.fspath(model)
+            return
+        model.compile()
+        self._folder = tempfile.TemporaryDirectory()
+        file = pathlib.Path(self._folder.name, "model.xml")
+        file.write_text(model.to_xml(), encoding="utf-8")
+        self.path = str(file)
+
+
+def read_chain(model: Model, joints: Sequence[str] = ()) -> NominalChain:
+    """The planar elastic chain of a simulator's model, as `plumbline chain` reads it. No simulator is needed; an MJCF
+    whose elements stand for several bodies (<attach>, <replicate>, <composite>) is written out by the package `mujoco`
+    first, where that is installed.
+
+    :param joints: those that make the chain, where the model has more; the others are held as the model draws them
+    :raises Error: where the model is no planar serial chain of hinges, with the part of it that is one
+    """
+    file = ModelFile(model)
+    try:
+        return NominalChain(**_engine.chain(file.path, list(joints)))
+    except Error as error:
+        if "which stands for several" not in str(error):
+            raise
+        try:
+            import mujoco
+        except ImportError:
+            raise error from None
+    return read_chain(mujoco.MjSpec.from_file(os.fspath(model)), joints)
+
+
+class Guess(NamedTuple):
+    """What a table does not say, and was guessed."""
+
+    what: str
+    value: str
+    reason: str
+    doubtful: bool  #: whether a person should look at it
+
+
+@dataclass(frozen=True)
+class Draft:
+    """An experiment drafted out of a model and tables."""
+
+    settings: str  #: the text of experiment.toml
+    tables: dict[str, str]  #: the sample files, by name
+    guesses: list[Guess]
+    question: str  #: what is still in doubt, in a line; or empty
+
+    def write(self, folder: PathLike) -> pathlib.Path:
+        """Writes the experiment's folder, which is new or empty; `diagnose_folder` takes it."""
+        place = pathlib.Path(folder)
+        place.mkdir(parents=True, exist_ok=True)
+        if any(place.iterdir()):
+            raise Error(f"{place}: found something there already, expected a new folder, or an empty one")
+        for name, text in {"experiment.toml": self.settings, **self.tables}.items():
+            (place / name).write_text(text, encoding="utf-8")
+        return place
+
+
+def draft(model: Model, tables: Mapping[str, Any] | Sequence[PathLike], *, name: str = "experiment",
+          joints: Sequence[str] = ()) -> Draft:
+    """Guesses an experiment out of tables as labs have them, as `plumbline new` does: delimiter, header, columns, units,
+    signs, runs; every guess comes with its reason.
+
+    :param tables: files, or DataFrames by a name each
+    :raises Error: where a table cannot be read at all, or no column of it can be told
+    """
+    if isinstance(tables, Mapping):
+        texts = [(title if "." in title else f"{title}.csv", table.to_csv(index=False)) for title, table in tables.items()]
+    else:
+        texts = [(pathlib.Path(table).name, pathlib.Path(table).read_text(encoding="utf-8-sig")) for table in tables]
+    file = ModelFile(model)
+    found = _engine.draft(name, file.path, list(joints), texts)
+    return Draft(found["settings"], found["tables"], [Guess(*guess) for guess in found["guesses"]], found["question"])

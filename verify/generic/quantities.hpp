@@ -1,0 +1,25 @@
+#pragma once
+/// \file
+/// Numbers and chains that the parameters of a check name.
+
+#include "verify/chains/loaded_chains.hpp"
+#include "verify/generic/generic.hpp"
+
+namespace plumbline::verify {
+
+/// A number, or the id of a premise that has one.
+Interval quantity(const std::string& text, const Premises& given);
+/// The same as a fraction. \throws Error where it is none
+Rational exact_quantity(const std::string& text, const Premises& given);
+
+/// The chain of the parameter `chain`, with so many links as `links` says: lists that are shorter go on with
+/// their last entry, rest angles with zero.
+Premise chain_with_links(const Parameters& with, const Premises& given);
+/// The same with a number of links.
+Premise with_links(const Premise& chain, std::size_t links);
+
+/// The chain of a premise that is none of a claim's.
+Chain<Rational> exact_chain(const Premise& chain);
+HeldChain held_chain(const Premise& chain);
+
+}  // namespace plumbline::verify
