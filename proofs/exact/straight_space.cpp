@@ -21,7 +21,7 @@ Matrix<Mpfr> rounded(const Matrix<Rational>& exact) {
 }
 
 std::size_t negative(Matrix<Rational> matrix) {
-  return negative_eigenvalues(matrix);
+  return plumbline::negative_eigenvalues(matrix);
 }
 
 struct Pairs {
