@@ -27,10 +27,13 @@ const char* si_unit(const std::string& what) {
   return what[0] == 'q' ? "rad" : "m";
 }
 
-double value_of(const diagnose::Reading& reading, std::size_t column) {
+/// \param joints  of the chain
+double value_of(const diagnose::Reading& reading, std::size_t column, std::size_t joints) {
   const double first[] = {reading.t, reading.x, reading.y, reading.Fx, reading.Fy};
   if (column < std::size(first)) return first[column];
-  return column - std::size(first) < reading.q.size() ? reading.q[column - std::size(first)] : NAN;
+  const std::size_t place = column - std::size(first), joint = place % joints;
+  const std::vector<double>& angles = place < joints ? reading.q : reading.rest;
+  return joint < angles.size() ? angles[joint] : NAN;
 }
 
 double noise_of(const diagnose::Noise& noise, std::size_t column) {
@@ -45,7 +48,7 @@ std::string column_line(const Experiment& experiment, const Run& run, std::size_
   std::size_t count = 0;
   double least = INFINITY, most = -INFINITY;
   for (const diagnose::Reading& reading : run.readings) {
-    const double value = value_of(reading, column);
+    const double value = value_of(reading, column, experiment.link_length.size());
     if (std::isnan(value)) continue;
     ++count;
     least = std::min(least, value + 0.0), most = std::max(most, value + 0.0);  // no "-0"
@@ -57,7 +60,8 @@ std::string column_line(const Experiment& experiment, const Run& run, std::size_
   line += least == most ? fmt::format("{:.4g}", least) : fmt::format("{:.4g} to {:.4g}", least, most);
   line += fmt::format(" {}", si_unit(origin.what));
   const auto imposed = run.imposed();
-  const bool is_imposed = std::any_of(imposed.begin(), imposed.end(),
+  const bool is_imposed = origin.what.starts_with("q_command") ||
+                          std::any_of(imposed.begin(), imposed.end(),
                                       [&](const Channel& one) { return one.label() == origin.what; });
   if (is_imposed) return line + ", imposed\n";
   if (origin.what == "t") return line + "\n";
@@ -85,14 +89,18 @@ std::string what_was_read(const Experiment& experiment) {
   std::string text = experiment.name + "\n\nThe nominal chain\n" + nominal_lines(experiment) + "\nThe runs\n";
   for (const Run& run : experiment.runs) {
     text += fmt::format("  {}: {} imposed, {} readings{}\n", run.id,
-                        run.holds_end_point()  ? "the end point is"
-                        : run.weights_inferred ? "the force, assumed to be that of weights, is"
-                                               : "the force is",
+                        run.commands_joints()   ? "the joints' commands are"
+                        : run.holds_end_point() ? "the end point is"
+                        : run.weights_inferred  ? "the force, assumed to be that of weights, is"
+                                                : "the force is",
                         run.readings.size(), run.turns_back() ? ", there and back" : "");
-    text += fmt::format("    rest {:.4g} rad\n", fmt::join(run.rest, ", "));
+    if (!run.commands_joints()) text += fmt::format("    rest {:.4g} rad\n", fmt::join(run.rest, ", "));
     for (std::size_t c = 0; c < run.origins.size(); ++c) {
-      const bool angle = run.origins[c].what[0] == 'q';
-      if (!angle || !run.readings.front().q.empty()) text += column_line(experiment, run, c);
+      const std::string& what = run.origins[c].what;
+      const bool there = what.starts_with("q_command") ? run.commands_joints()
+                         : what[0] == 'q'              ? !run.readings.front().q.empty()
+                                                       : true;
+      if (there) text += column_line(experiment, run, c);
     }
   }
   return text;

@@ -1,13 +1,13 @@
 #include "diagnose/bench/conversion.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
 
+#include "diagnose/bench/order_of_chain.hpp"
 #include "diagnose/bench/unit.hpp"
 
 namespace plumbline::diagnose {
@@ -31,6 +31,20 @@ std::vector<Other> others(const Names& names, const Quantity& quantity, const Or
     const double factor = parse_unit(name, quantity, "unit").in_si() / read.in_si;
     constexpr double same = 1e-3;
     if (std::abs(factor - 1) > same) all.push_back({name, read.unit, factor});
+  }
+  return all;
+}
+
+/// A decimal point that went astray, beside the other units: "ten times as large".
+std::vector<Other> astray(const Origin& read, const std::vector<Other>& beside) {
+  constexpr std::array<std::pair<const char*, double>, 4> slips{{{"ten times as large", 0.1},
+                                                                 {"a tenth as large", 10},
+                                                                 {"a hundred times as large", 0.01},
+                                                                 {"a hundredth as large", 100}}};
+  std::vector<Other> all;
+  for (const auto& [name, factor] : slips) {
+    const auto same = [f = factor](const Other& unit) { return std::abs(unit.factor / f - 1) < 1e-3; };
+    if (std::none_of(beside.begin(), beside.end(), same)) all.push_back({name, read.unit, factor});
   }
   return all;
 }
@@ -98,20 +112,20 @@ constexpr std::array<Axes, 7> axes{{{"of the opposite sign", -1, 0, 0, -1},
 void add_forces(const Experiment& e, std::vector<Conversion>& all) {
   const Origin read = origin_of_channel(e, "Fx", quantity::force);
   const auto add = [&](const std::string& name, double factor, const std::string& remedy) {
-    all.push_back({"Fx, Fy",
-                   name,
-                   read.unit,
-                   remedy,
-                   factor,
-                   false,
-                   [factor](Run& run) { scale_forces(run, factor); },
-                   {}});
+    all.push_back({.what = "Fx, Fy",
+                   .looks_like = name,
+                   .expected = read.unit,
+                   .remedy = "columns.Fx.unit and columns.Fy.unit = \"" + remedy + "\"",
+                   .factor = factor,
+                   .run = [factor](Run& run) { scale_forces(run, factor); }});
   };
-  for (const Other& unit : others(forces, quantity::force, read))
-    add(unit.name, unit.factor, "columns.Fx.unit and columns.Fy.unit = \"" + unit.name + "\"");
-  if (read.in_si == 1)
-    add("N that were multiplied by 9.80665 once too often", 1 / 9.80665,
-        "columns.Fx.unit and columns.Fy.unit = \"0.101972 N\"");
+  const std::vector<Other> units = others(forces, quantity::force, read);
+  for (const Other& unit : units) add(unit.name, unit.factor, unit.name);
+  if (read.in_si == 1) add("N that were multiplied by 9.80665 once too often", 1 / 9.80665, "0.101972 N");
+  for (const Other& slip : astray(read, units)) {
+    add("numbers " + slip.name, slip.factor, fmt::format("{} {}", slip.factor, read.unit));
+    all.back().of_some = true;
+  }
   for (const Axes& one : axes) {
     all.push_back({"Fx, Fy",
                    std::string("forces ") + one.name,
@@ -126,9 +140,9 @@ void add_forces(const Experiment& e, std::vector<Conversion>& all) {
   }
 }
 
-/// A convention of joint angles.
+/// A convention of joint angles. The remedy of columns has a place for their key.
 struct Angles {
-  std::string name, remedy_of_q, remedy_of_rest;
+  std::string name, remedy_of_columns, remedy_of_rest;
   double factor = 0;
   std::function<void(std::vector<double>&)> convert;
 };
@@ -137,28 +151,34 @@ std::vector<Angles> ways_to_write_angles(const Origin& read) {
   std::vector<Angles> all;
   for (const Other& unit : others(angles_in, quantity::angle, read)) {
     const double factor = unit.factor;
-    all.push_back({unit.name == "deg" ? "degrees" : "radians", "columns.q.unit = \"" + unit.name + "\"",
+    all.push_back({unit.name == "deg" ? "degrees" : "radians", "columns.{}.unit = \"" + unit.name + "\"",
                    "units.rest = \"" + unit.name + "\"", factor,
                    [factor](std::vector<double>& q) { scale(q, factor); }});
   }
-  all.push_back({"angles of the opposite sign", "columns.q.sign = -1", "the signs of rest turned", 0,
+  all.push_back({"angles of the opposite sign", "columns.{}.sign = -1", "the signs of rest turned", 0,
                  [](std::vector<double>& q) { scale(q, -1); }});
-  all.push_back({"absolute angles", "columns.q.absolute = true", "in rest the differences of neighbours", 0,
+  all.push_back({"absolute angles", "columns.{}.absolute = true", "in rest the differences of neighbours", 0,
                  [](std::vector<double>& q) { std::adjacent_difference(q.begin(), q.end(), q.begin()); }});
-  all.push_back({"angles in the reverse order", "the columns of columns.q in reverse", "rest in reverse", 0,
+  all.push_back({"angles in the reverse order", "the columns of columns.{} in reverse", "rest in reverse", 0,
                  [](std::vector<double>& q) { std::reverse(q.begin(), q.end()); }});
   return all;
 }
 
 /// \param rest, readings  which of them are in this convention
 void add_angles(const Experiment& e, bool rest, bool readings, std::vector<Conversion>& all) {
-  const Origin read =
-      rest ? origin(e.origins, "rest", quantity::angle) : origin_of_channel(e, "q1", quantity::angle);
+  const bool commanded = std::ranges::any_of(e.runs, &Run::commands_joints);
+  const std::string key_of_rest = commanded ? "q_command" : "rest";
+  const Origin read = !rest       ? origin_of_channel(e, "q1", quantity::angle)
+                      : commanded ? origin_of_channel(e, "q_command1", quantity::angle)
+                                  : origin(e.origins, "rest", quantity::angle);
   for (const Angles& one : ways_to_write_angles(read)) {
-    std::string remedy = rest ? one.remedy_of_rest : "";
-    if (readings) remedy += (rest ? ", " : "") + one.remedy_of_q;
-    all.push_back({rest && readings ? "rest, q"
-                   : rest           ? "rest"
+    const auto of_columns = [&](const std::string& key) {
+      return fmt::format(fmt::runtime(one.remedy_of_columns), key);
+    };
+    std::string remedy = !rest ? "" : commanded ? of_columns(key_of_rest) : one.remedy_of_rest;
+    if (readings) remedy += (rest ? ", " : "") + of_columns("q");
+    all.push_back({rest && readings ? key_of_rest + ", q"
+                   : rest           ? key_of_rest
                                     : "q",
                    one.name,
                    "relative joint angles, counter-clockwise, from joint 1, in " + read.unit,
@@ -166,7 +186,7 @@ void add_angles(const Experiment& e, bool rest, bool readings, std::vector<Conve
                    one.factor,
                    one.name == "angles of the opposite sign",
                    [=](Run& run) {
-                     if (rest) one.convert(run.rest);
+                     if (rest) run.each_rest(one.convert);
                      if (!readings) return;
                      for (Reading& r : run.readings) one.convert(r.q);
                    },
@@ -202,7 +222,9 @@ void add_turned_joints(const Experiment& e, std::vector<Conversion>& all) {
   };
   for (std::size_t j = 0; joints > 1 && j < joints; ++j) {
     if (!is_bent_at_rest(e, j)) continue;
-    const auto turn_rest = [j](Run& run) { run.rest[j] *= -1; };
+    const auto turn_rest = [j](Run& run) {
+      run.each_rest([j](std::vector<double>& rest) { rest[j] *= -1; });
+    };
     const auto turn_readings = [j](Run& run) {
       for (Reading& r : run.readings)
         if (j < r.q.size()) r.q[j] *= -1;
@@ -217,16 +239,20 @@ void add_turned_joints(const Experiment& e, std::vector<Conversion>& all) {
 }
 
 void add_positions(const Experiment& e, std::vector<Conversion>& all) {
-  for (const Other& unit : others(lengths, quantity::length, origin_of_channel(e, "x", quantity::length))) {
-    const double factor = unit.factor;
-    all.push_back({"x, y",
-                   unit.name,
-                   unit.instead_of,
-                   "columns.x.unit and columns.y.unit = \"" + unit.name + "\"",
-                   factor,
-                   false,
-                   [factor](Run& run) { scale_positions(run, factor); },
-                   {}});
+  const Origin read = origin_of_channel(e, "x", quantity::length);
+  const auto add = [&](const std::string& name, double factor, const std::string& remedy) {
+    all.push_back({.what = "x, y",
+                   .looks_like = name,
+                   .expected = read.unit,
+                   .remedy = "columns.x.unit and columns.y.unit = \"" + remedy + "\"",
+                   .factor = factor,
+                   .run = [factor](Run& run) { scale_positions(run, factor); }});
+  };
+  const std::vector<Other> units = others(lengths, quantity::length, read);
+  for (const Other& unit : units) add(unit.name, unit.factor, unit.name);
+  for (const Other& slip : astray(read, units)) {
+    add("numbers " + slip.name, slip.factor, fmt::format("{} {}", slip.factor, read.unit));
+    all.back().of_some = true;
   }
   for (const Axes& one : axes) {
     const auto positions = [one](Run& run) {
@@ -285,93 +311,6 @@ void add_units_of_chain(const Experiment& e, std::vector<Conversion>& all) {
                      scale(one.link_length, factor);
                      for (Run& run : one.runs) scale_positions(run, factor);
                    }});
-  }
-}
-
-void reverse(std::vector<double>& list) {
-  std::reverse(list.begin(), list.end());
-}
-
-/// Whether a list differs when it is reversed, with its values multiplied by 1 or -1.
-bool has_ends(const std::vector<double>& list, double sense = 1) {
-  return !std::equal(list.begin(), list.end(), list.rbegin(),
-                     [sense](double a, double b) { return a == sense * b; });
-}
-
-/// Lists that begin at the end point, and the sense of their angles.
-struct FromEnd {
-  bool lengths = false, springs = false, masses = false, rest = false, readings = false;
-  /// -1 for angles of a link against the next one towards the end point, seen from there; 1 for angles
-  /// against the previous one, whatever its number.
-  double sense = 1;
-
-  [[nodiscard]] int count() const { return lengths + springs + masses + rest + readings; }
-
-  void operator()(Experiment& e) const {
-    const auto reverse_angles = [this](std::vector<double>& angles) {
-      reverse(angles);
-      scale(angles, sense);
-    };
-    if (lengths) reverse(e.link_length);
-    if (springs) reverse(e.joint_stiffness);
-    if (masses) reverse(e.link_mass);
-    for (Run& run : e.runs) {
-      if (rest) reverse_angles(run.rest);
-      if (!readings) continue;
-      for (Reading& r : run.readings) reverse_angles(r.q);
-    }
-  }
-
-  [[nodiscard]] std::string remedy() const {
-    Names keys;
-    if (lengths) keys.push_back("link_length");
-    if (springs) keys.push_back("joint_stiffness");
-    if (masses) keys.push_back("link_mass");
-    if (rest) keys.push_back("rest");
-    std::string all = fmt::format("{} in reverse", fmt::join(keys, ", "));
-    if (rest && sense < 0) all += ", the signs of rest turned";
-    if (readings) all += ", the columns of columns.q in reverse";
-    if (readings && sense < 0) all += ", columns.q.sign = -1";
-    return all;
-  }
-
-  /// Link masses follow the lengths; they are named where the lengths are symmetric.
-  [[nodiscard]] Conversion conversion() const {
-    Names what;
-    if (lengths || masses) what.push_back(lengths ? "link_length" : "link_mass");
-    if (springs) what.push_back("joint_stiffness");
-    if (rest) what.push_back("rest");
-    if (readings) what.push_back("q");
-    const std::string lists = count() > 1 ? "lists from the end point on" : "a list from the end point on",
-                      from_base = "joints and links from the base on";
-    return {fmt::format("{}", fmt::join(what, ", ")),
-            sense < 0 ? "angles of the opposite sign in " + lists : lists,
-            sense < 0 ? from_base + ", angles counter-clockwise" : from_base,
-            remedy(),
-            0,
-            false,
-            {},
-            *this};
-  }
-};
-
-/// One list alone, all of the chain's, and with them the angles at rest, the measured angles, or both. In a
-/// symmetric chain angles alone can be reversed (add_angles).
-void add_order_of_chain(const Experiment& e, std::vector<Conversion>& all) {
-  const FromEnd chain{has_ends(e.link_length), has_ends(e.joint_stiffness), has_ends(e.link_mass)};
-  const bool weighs = chain.masses && e.gravity != std::array<double, 2>{0, 0};
-  if (chain.springs) all.push_back(FromEnd{.springs = true}.conversion());
-  if (chain.lengths) all.push_back(FromEnd{.lengths = true}.conversion());
-  if (chain.lengths + chain.springs + weighs > 1) all.push_back(chain.conversion());
-  if (!chain.lengths && !chain.springs && !weighs) return;
-  for (const double sense : {1.0, -1.0}) {
-    FromEnd with_angles = chain;
-    with_angles.sense = sense;
-    with_angles.rest = std::any_of(e.runs.begin(), e.runs.end(),
-                                   [sense](const Run& run) { return has_ends(run.rest, sense); });
-    if (with_angles.rest) all.push_back(with_angles.conversion());
-    with_angles.readings = measures_angles(e);
-    if (with_angles.readings) all.push_back(with_angles.conversion());
   }
 }
 

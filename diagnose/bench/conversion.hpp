@@ -23,6 +23,7 @@ struct Conversion {
   std::function<void(Run&)> run = {};
   /// Converts the nominal model and, in the runs, what depends on it.
   std::function<void(Experiment&)> chain = {};
+  bool of_some = false;  ///< happens in some runs, while others are right
 };
 
 /// All conversions that are considered, the most common first: units of laboratories, without the one that

@@ -214,6 +214,8 @@ class Decimator {
     one.t = mean(group, [](const Reading& reading) { return reading.t; });
     for (const Channel& channel : run_.imposed())
       channel.in(one) = mean(group, [&](const Reading& reading) { return channel.of(reading); });
+    for (std::size_t j = 0; j < one.rest.size(); ++j)
+      one.rest[j] = mean(group, [&](const Reading& reading) { return reading.rest[j]; });
     result_.readings.push_back(std::move(one));
     result_.groups.first.push_back(group.from);
     return result_.readings.back();

@@ -17,6 +17,15 @@ constexpr std::array<Channel, 2> force_channels{{{Name::Fx}, {Name::Fy}}};
 
 }  // namespace
 
+Reading between(const Reading& from, const Reading& to, double share) {
+  const auto at = [share](double a, double b) { return a + share * (b - a); };
+  Reading one{at(from.t, to.t),   at(from.x, to.x),   at(from.y, to.y),
+              at(from.Fx, to.Fx), at(from.Fy, to.Fy), {},
+              from.rest};
+  for (std::size_t i = 0; i < one.rest.size(); ++i) one.rest[i] = at(from.rest[i], to.rest[i]);
+  return one;
+}
+
 std::size_t Branch::first() const {
   return static_cast<std::size_t>(std::find(differs.begin(), differs.end(), true) - differs.begin());
 }
@@ -25,9 +34,30 @@ std::array<Channel, 2> Run::imposed() const {
   return holds_end_point() ? place_channels : force_channels;
 }
 
-Eigen::Vector2d Run::command(const Reading& reading) const {
+Eigen::Vector2d Run::imposed_at(const Reading& reading) const {
   const std::array<Channel, 2> channels = imposed();
   return {channels[0].of(reading), channels[1].of(reading)};
+}
+
+Eigen::Vector2d Run::command(const Reading& reading) const {
+  if (reading.rest.empty()) return imposed_at(reading);
+  double theta = 0;
+  Eigen::Vector2d moved(0, 0);
+  for (const double angle : reading.rest) {
+    theta += angle;
+    moved += Eigen::Vector2d(std::cos(theta) - 1, std::sin(theta));
+  }
+  return moved / static_cast<double>(reading.rest.size());
+}
+
+std::optional<Reading> Run::before_first() const {
+  if (!begins_moving || readings.empty()) return {};
+  constexpr double share = 1.0 / 3;  // of the farthest command: friction has slipped by then
+  const auto away = [&](const Reading& one) { return (command(one) - command(readings.front())).norm(); };
+  const Reading &first = readings.front(),
+                &far = *std::max_element(readings.begin(), readings.end(),
+                                         [&](const Reading&a, const Reading&b) { return away(a) < away(b); });
+  return between(first, far, -share);
 }
 
 std::vector<bool> Run::turning_points() const {

@@ -19,7 +19,13 @@ namespace plumbline::diagnose {
 struct Reading {
   double t, x, y, Fx, Fy;
   std::vector<double> q;  ///< relative joint angles; empty where the run has no such columns
+  std::vector<double> rest =
+      {};  ///< joint angles commanded at this reading; empty where those of the run hold
 };
+
+/// The command between two readings, or beyond them, by linear interpolation; nothing is measured there.
+/// \param share  of the way from the first to the second
+Reading between(const Reading& from, const Reading& to, double share);
 
 /// The source of numbers and the unit in which they stand there.
 struct Origin {
@@ -50,11 +56,12 @@ struct Branch {
 struct Run {
   std::string id;
   Control control;  ///< what the rig imposes: the end point, while the force is measured; or the reverse
-  std::vector<double> rest;  ///< commanded joint angles: the unloaded shape
+  std::vector<double> rest;  ///< joint angles commanded at the first reading: the unloaded shape
   std::vector<Reading> readings;
   Groups groups = {};
   std::size_t number = 0;            ///< of all runs of the experiment, from 0; see Experiment::run_count
   std::vector<Origin> origins = {};  ///< of t, x, y, Fx, Fy and the joint angles; empty where it was not read
+  bool begins_moving = false;        ///< the first reading was taken on the way; else the run begins relaxed
   bool by_weights = false;           ///< an imposed force is that of weights, not of a servo with a load cell
   bool weights_inferred = false;     ///< by_weights follows from the forces, not from the experiment's file
   std::optional<Branch> branch =
@@ -63,8 +70,28 @@ struct Run {
   [[nodiscard]] bool holds_end_point() const { return control == Control::end_point; }
   /// The imposed channels, along x and along y.
   [[nodiscard]] std::array<Channel, 2> imposed() const;
-  /// The command at a reading: an end point, m, or a force, N.
+  /// Their values at a reading: an end point, m, or a force, N.
+  [[nodiscard]] Eigen::Vector2d imposed_at(const Reading& reading) const;
+  /// Whether each reading has a command of its own to every joint, as servos get it.
+  [[nodiscard]] bool commands_joints() const { return !readings.empty() && !readings.front().rest.empty(); }
+  /// The commanded joint angles at a reading: the unloaded shape.
+  [[nodiscard]] const std::vector<double>& rest_at(const Reading& reading) const {
+    return reading.rest.empty() ? rest : reading.rest;
+  }
+  /// Changes the commanded joint angles: those of the run, and of each reading that has its own.
+  template <class Change>
+  void each_rest(Change change) {
+    change(rest);
+    for (Reading& reading : readings)
+      if (!reading.rest.empty()) change(reading.rest);
+  }
+  /// Coordinates of what is commanded, by which the history of a run is told: the imposed values. For joint
+  /// angles, the end point of a stretched chain of length 1 with equal links, moved from its place by these
+  /// angles.
   [[nodiscard]] Eigen::Vector2d command(const Reading& reading) const;
+  /// The command before the first reading of a run that begins moving: it comes along the line of the first
+  /// motion, from a third of the way to the farthest command. Nothing is measured there.
+  [[nodiscard]] std::optional<Reading> before_first() const;
   /// By reading, whether the command reverses there.
   [[nodiscard]] std::vector<bool> turning_points() const;
   [[nodiscard]] bool turns_back() const;

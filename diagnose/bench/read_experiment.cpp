@@ -136,16 +136,19 @@ bool pulls_as_weights_do(const Run& run, const Experiment& experiment) {
   constexpr double three_decimals = 1e-3;  // of the direction of gravity
   const Eigen::Vector2d down = experiment.bench.down().normalized();
   const auto is_down = [&](const Reading& reading) {
-    const Eigen::Vector2d force = run.command(reading);
+    const Eigen::Vector2d force = run.imposed_at(reading);
     return force.dot(down) >= 0 && (force - force.dot(down) * down).norm() <= three_decimals * force.norm();
   };
-  const auto pulls = [&](const Reading& reading) { return run.command(reading).norm() > 0; };
+  const auto pulls = [&](const Reading& reading) { return run.imposed_at(reading).norm() > 0; };
   return std::all_of(run.readings.begin(), run.readings.end(), is_down) &&
          std::any_of(run.readings.begin(), run.readings.end(), pulls);
 }
 
-/// The source of an imposed force: as declared, or inferred.
+/// The source of an imposed force: as declared, or inferred. Joints that are commanded without a force have
+/// none.
 bool read_by_weights(const Section& section, const Run& run, const Experiment& experiment) {
+  const auto loaded = [&](const Reading& reading) { return run.imposed_at(reading).norm() > 0; };
+  if (run.commands_joints() && std::none_of(run.readings.begin(), run.readings.end(), loaded)) return true;
   if (!section.has("loaded_by")) return pulls_as_weights_do(run, experiment);
   const std::string expected = "\"servo\" or \"weights\"";
   const std::string word = section.text("loaded_by", expected);
@@ -155,13 +158,26 @@ bool read_by_weights(const Section& section, const Run& run, const Experiment& e
   return word == "weights";
 }
 
-void read_samples_of(const Section& section, const Shared& shared, Run& run) {
+/// \param commanded  whether the run imposes joint angles
+void read_samples_of(const Section& section, const Shared& shared, bool commanded, Run& run) {
   SampleFormat format = read_sample_format(section, shared.format);
-  format.any_order |= shared.source.plan && format.header;  // a plan may hold commands alone
+  format.commanded = commanded;
+  format.any_order |= (shared.source.plan && format.header) || commanded;  // a plan may hold commands alone
   const NamedTable named = shared.source.read(section, format);
   Samples samples = read_samples(named.table, named.source, run.control, format);
   run.readings = std::move(samples.readings);
   run.origins = std::move(samples.origins);
+}
+
+/// Whether the first reading was taken on the way.
+bool read_beginning(const Section& section, const Run& run) {
+  if (!section.has("begins")) return false;
+  const std::string expected = "\"relaxed\" or \"moving\"";
+  const std::string word = section.text("begins", expected);
+  if (word != "relaxed" && word != "moving") section.refuse("begins", expected);
+  if (word == "moving" && run.holds_end_point())
+    section.refuse("begins", "nothing, or \"relaxed\", where the end point is put");
+  return word == "moving";
 }
 
 /// The rest angles of the run, or else of the nominal model.
@@ -176,15 +192,22 @@ std::vector<double> read_rest(const Section& section, const Shared& shared) {
 }
 
 Run read_run(const Section& section, const Shared& shared) {
-  section.allow_only({"id", "control", "loaded_by", "rest", "samples", "csv", "columns"});
+  section.allow_only({"id", "control", "begins", "loaded_by", "rest", "samples", "csv", "columns"});
   Run run;
   run.id = section.name("id", "a name");
-  const std::string expected = "\"displacement\" or \"force\"";
+  const std::string expected = "\"displacement\", \"force\" or \"command\"";
   const std::string control = section.text("control", expected);
-  if (control != "displacement" && control != "force") section.refuse("control", expected);
-  run.control = control == "force" ? Control::force : Control::end_point;
-  run.rest = read_rest(section, shared);
-  if (!shared.source.plan || section.has("samples")) read_samples_of(section, shared, run);
+  if (control != "displacement" && control != "force" && control != "command")
+    section.refuse("control", expected);
+  const bool commanded = control == "command";
+  run.control = control == "displacement" ? Control::end_point : Control::force;
+  if (commanded && section.has("rest"))
+    section.refuse("rest", "nothing beside control = \"command\": q_command says it");
+  if (!commanded) run.rest = read_rest(section, shared);
+  if (!shared.source.plan || section.has("samples") || commanded)
+    read_samples_of(section, shared, commanded, run);
+  if (commanded) run.rest = run.readings.front().rest;
+  run.begins_moving = read_beginning(section, run);
   run.by_weights = read_by_weights(section, run, shared.experiment);
   run.weights_inferred = run.by_weights && !section.has("loaded_by");
   return run;

@@ -34,9 +34,8 @@ class Reader {
     std::vector<double> v;
     for (std::size_t c = 0; c < place_q1; ++c) v.push_back(value(c, row));
     Reading reading{v[place_t], v[place_x], v[place_y], v[place_Fx], v[place_Fy], {}};
-    for (std::size_t c = place_q1; c < places_.size() && places_[c]; ++c) reading.q.push_back(value(c, row));
-    if (format_.absolute_angles)
-      std::adjacent_difference(reading.q.begin(), reading.q.end(), reading.q.begin());
+    reading.q = angles(place_q1, format_.absolute_angles, row);
+    reading.rest = angles(format_.place_command1(), format_.absolute_commands, row);
     require_given(reading, row);
     return reading;
   }
@@ -45,9 +44,10 @@ class Reader {
     std::vector<Origin> all;
     for (std::size_t c = 0; c < places_.size(); ++c) {
       const Column& column = format_.columns[c];
-      const std::string source = column.constant ? "constant " + *column.constant
-                                 : places_[c]    ? column_title(table_, *places_[c])
-                                                 : "";
+      const std::string source = column.constant  ? "constant " + *column.constant
+                                 : places_[c]     ? column_title(table_, *places_[c])
+                                 : is_no_force(c) ? "constant 0"
+                                                  : "";
       all.push_back({column.channel, source, column.unit.name, column.unit.in_si()});
     }
     return all;
@@ -61,6 +61,20 @@ class Reader {
   }
 
  private:
+  /// Relative joint angles; empty where the table has none.
+  [[nodiscard]] std::vector<double> angles(std::size_t first, bool absolute, std::size_t row) const {
+    std::vector<double> all;
+    for (std::size_t c = first; c < first + format_.joints() && places_[c]; ++c) all.push_back(value(c, row));
+    if (absolute) std::adjacent_difference(all.begin(), all.end(), all.begin());
+    return all;
+  }
+
+  /// Whether no force acts on commanded joints, for want of a column.
+  [[nodiscard]] bool is_no_force(std::size_t c) const {
+    return format_.commanded && (c == place_Fx || c == place_Fy) && !places_[c] &&
+           !format_.columns[c].constant;
+  }
+
   [[nodiscard]] std::string where(std::size_t row) const {
     return source_ + ":" + std::to_string(table_.rows[row].line);
   }
@@ -106,6 +120,7 @@ class Reader {
   [[nodiscard]] double value(std::size_t c, std::size_t row) const {
     const Column& column = format_.columns[c];
     if (column.constant) return constants_[c];
+    if (is_no_force(c)) return 0;
     if (!places_[c]) return c == place_t ? static_cast<double>(row) : none;
     const std::string text = field(c, row);
     if (text.empty()) return none;
@@ -122,6 +137,8 @@ class Reader {
       throw Error(where(row), "an empty imposed channel",
                   displacement ? "the commanded x and y" : "the commanded Fx and Fy");
     }
+    if (std::any_of(r.rest.begin(), r.rest.end(), [](double angle) { return std::isnan(angle); }))
+      throw Error(where(row), "an empty q_command", "the commanded angle of every joint");
   }
 
   const SampleTable& table_;

@@ -15,7 +15,7 @@ struct Samples {
   std::vector<Origin> origins;    ///< of each channel
 };
 
-/// Time and the imposed channels may not be empty.
+/// Time, the imposed channels and commanded joint angles may not be empty.
 /// \param source  of the table, named in errors with the line
 /// \param format  for n joints
 /// \throws Error that names the source and the line

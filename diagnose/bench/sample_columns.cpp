@@ -25,7 +25,7 @@ class Finder {
 
   /// Without [columns] two headers are accepted.
   void require_header() const {
-    const std::size_t all = format_.columns.size();
+    const std::size_t all = format_.place_command1();
     if (!format_.header || table_.header == names(place_q1) || table_.header == names(all)) return;
     throw Error(header_line_, header(),
                 "'" + with_commas(names(place_q1)) + "' or '" + with_commas(names(all)) +
@@ -34,7 +34,7 @@ class Finder {
 
   [[nodiscard]] std::optional<std::size_t> place(std::size_t c) const {
     const Column& column = format_.columns[c];
-    if (column.constant) return {};
+    if (column.constant || (c >= format_.place_command1() && !format_.commanded)) return {};
     if (column.number > 0) return numbered(column.number, column.place);
     if (!format_.header && !format_.any_order) return numbered(c + 1, "");  // in the standard order
     return named(column);
@@ -50,10 +50,25 @@ class Finder {
     }
   }
 
+  /// Columns of commanded angles have a place where the run imposes them, and are not left out in silence
+  /// elsewhere.
+  void require_commands(const ColumnPlaces& places) const {
+    for (std::size_t c = format_.place_command1(); c < places.size(); ++c) {
+      const Column& column = format_.columns[c];
+      if (format_.commanded && !places[c])
+        throw Error(header_line_, "no column '" + column.channel + "', which the run imposes",
+                    "the column, or a key columns.q_command that names another" + hint());
+      const auto& header = table_.header;
+      if (!format_.commanded && std::find(header.begin(), header.end(), column.name) != header.end())
+        throw Error(header_line_, "a column '" + files::shown(column.name) + "' of commanded joint angles",
+                    "control = \"command\" in a run that has it");
+    }
+  }
+
   void require_angles(const ColumnPlaces& places) const {
-    const auto there = std::count_if(places.begin() + place_q1, places.end(),
-                                     [](const auto& one) { return one.has_value(); });
-    const auto joints = static_cast<std::ptrdiff_t>(places.size() - place_q1);
+    const auto joints = static_cast<std::ptrdiff_t>(format_.joints());
+    const auto first = places.begin() + place_q1;
+    const auto there = std::count_if(first, first + joints, [](const auto& one) { return one.has_value(); });
     if (there != 0 && there != joints)
       throw Error(header_line_, std::to_string(there) + " columns of joint angles",
                   "all " + std::to_string(joints) + ", or none");
@@ -105,7 +120,8 @@ ColumnPlaces column_places(const SampleTable& table, const SampleFormat& format,
   if (!format.any_order) finder.require_header();
   ColumnPlaces places;
   for (std::size_t c = 0; c < format.columns.size(); ++c) places.push_back(finder.place(c));
-  finder.require_imposed(places, control);
+  if (!format.commanded) finder.require_imposed(places, control);
+  finder.require_commands(places);
   finder.require_angles(places);
   return places;
 }

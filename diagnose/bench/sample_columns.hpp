@@ -16,8 +16,8 @@ namespace plumbline::diagnose {
 using ColumnPlaces = std::vector<std::optional<std::size_t>>;
 
 /// \throws Error that names the source and the line: a header other than the one expected, a column that
-///         experiment.toml names and the file has not, or twice; no column of an imposed channel; some
-///         joint angles but not all
+///         experiment.toml names and the file has not, or twice; no column of an imposed channel; commanded
+///         angles in a run that does not impose them; some joint angles but not all
 ColumnPlaces column_places(const SampleTable& table, const SampleFormat& format, const std::string& source,
                            Control control);
 

@@ -67,9 +67,12 @@ class ColumnReader {
   }
 
  private:
+  /// Whether the key has a column for each joint.
+  [[nodiscard]] bool is_list() const { return key_ == "q" || key_ == "q_command"; }
+
   void read_table(const Section& table, const std::vector<Column*>& all) const {
     std::set<std::string> known{"column", "unit", "sign", "zero"};
-    known.insert(key_ == "q" ? "absolute" : "constant");
+    known.insert(is_list() ? "absolute" : "constant");
     table.allow_only(known);
     if (table.has("constant")) {
       for (const char* other : {"column", "sign", "zero"})
@@ -85,16 +88,17 @@ class ColumnReader {
     if (table.has("zero")) read_zeros(table, all);
   }
 
-  /// The column of the file: a name of the header, or a number from 1; for q a list of n.
+  /// The column of the file: a name of the header, or a number from 1; for joint angles a list of n, or of
+  /// one joint the column itself.
   void read_source(const Section& table, const std::string& key, const std::vector<Column*>& all) const {
     const std::string one = "the name of a column, or its number from 1";
-    const std::string expected = key_ == "q" ? fmt::format("a list of {}, each {}", all.size(), one) : one;
+    const std::string expected = is_list() ? fmt::format("a list of {}, each {}", all.size(), one) : one;
     const toml::node& node = table.node(key);
     std::vector<const toml::node*> nodes;
-    if (key_ != "q") {
-      nodes.push_back(&node);
-    } else if (const toml::array* list = node.as_array()) {
+    if (const toml::array* list = is_list() ? node.as_array() : nullptr) {
       for (const toml::node& entry : *list) nodes.push_back(&entry);
+    } else {
+      nodes.push_back(&node);
     }
     if (nodes.size() != all.size()) table.refuse(key, expected);
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -136,19 +140,26 @@ class ColumnReader {
   const Quantity& quantity_;
 };
 
+/// The columns of a key with one for each joint.
+/// \param first  place of that of joint 1
+void read_angles(const Section& columns, const std::string& key, std::size_t first, SampleFormat& format,
+                 bool& absolute) {
+  if (!columns.has(key)) return;
+  std::vector<Column*> angles;
+  for (std::size_t i = 0; i < format.joints(); ++i) angles.push_back(&format.columns[first + i]);
+  ColumnReader(columns, key, quantity::angle).read(angles);
+  absolute = columns.node(key).is_table() && columns.table(key).flag_or("absolute", false);
+}
+
 void read_columns(const Section& columns, SampleFormat& format) {
-  columns.allow_only({"t", "x", "y", "Fx", "Fy", "q"});
+  columns.allow_only({"t", "x", "y", "Fx", "Fy", "q", "q_command"});
   format.any_order = true;
   for (std::size_t c = 0; c < single_channels.size(); ++c) {
     const auto& [key, quantity] = single_channels[c];
     if (columns.has(key)) ColumnReader(columns, key, *quantity).read({&format.columns[c]});
   }
-  if (!columns.has("q")) return;
-  std::vector<Column*> angles;
-  for (std::size_t c = place_q1; c < format.columns.size(); ++c) angles.push_back(&format.columns[c]);
-  ColumnReader(columns, "q", quantity::angle).read(angles);
-  const bool table = columns.node("q").is_table();
-  format.absolute_angles = table && columns.table("q").flag_or("absolute", false);
+  read_angles(columns, "q", place_q1, format, format.absolute_angles);
+  read_angles(columns, "q_command", format.place_command1(), format, format.absolute_commands);
 }
 
 }  // namespace
@@ -157,10 +168,11 @@ SampleFormat standard_format(std::size_t joints) {
   SampleFormat format;
   for (const auto& [name, quantity] : single_channels)
     format.columns.push_back({name, name, 0, {}, si_unit(*quantity)});
-  for (std::size_t i = 1; i <= joints; ++i) {
-    const std::string name = "q" + std::to_string(i);
-    format.columns.push_back({name, name, 0, {}, si_unit(quantity::angle)});
-  }
+  for (const char* key : {"q", "q_command"})
+    for (std::size_t i = 1; i <= joints; ++i) {
+      const std::string name = key + std::to_string(i);
+      format.columns.push_back({name, name, 0, {}, si_unit(quantity::angle)});
+    }
   return format;
 }
 

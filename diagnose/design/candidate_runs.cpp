@@ -162,13 +162,16 @@ OperatingEnvelope operating_envelope(const Study& study) {
     if (run.readings.empty()) continue;
     const Vector2 start = unloaded_end(experiment, run.rest);
     so_far.force = std::max(so_far.force, largest_force(trace));
-    so_far.deflection = std::max(so_far.deflection, largest_deflection(trace, run.rest));
     for (Eigen::Index i = 0; i < trace.rows(); ++i) {
+      const std::vector<double>& rest = run.rest_at(run.readings[static_cast<std::size_t>(i)]);
+      so_far.deflection = std::max(so_far.deflection, largest_deflection(trace.middleRows(i, 1), rest));
       const double way = (Vector2(trace(i, column_x), trace(i, column_y)) - start).norm();
       if (run.holds_end_point()) so_far.travel = std::max(so_far.travel, way);
     }
     pause = std::max(pause, run.sampling_interval());
   }
+  constexpr double rounding = 1e-9;  // rad: the deflection of joints that nothing loads
+  if (so_far.deflection < rounding) so_far.deflection = 0;
   if (pause > 0) so_far.sampling_interval = pause;
   if (so_far.travel == 0) {
     for (const double length : experiment.link_length) so_far.travel += 0.05 * length;

@@ -73,14 +73,15 @@ std::vector<std::vector<MissingTorque>> missing_torques(const Experiment& experi
   std::vector<std::vector<MissingTorque>> by_joint(experiment.link_length.size());
   for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
     const Run& run = experiment.runs[r];
-    const NominalModel<double> nominal = nominal_model(experiment, run.rest);
+    std::optional<NominalModel<double>> nominal;
     const double of_group = run.noise_of_group();
     const Vector2 noise =
         run.holds_end_point() ? Vector2(experiment.noise.Fx, experiment.noise.Fy) * of_group : Vector2(0, 0);
     for (std::size_t i = 0; i < run.readings.size(); ++i) {
       const Reading& reading = run.readings[i];
       if (!complete(reading)) continue;
-      const Balance found = balance(nominal, reading, noise, experiment.noise.q * of_group);
+      if (!nominal || !reading.rest.empty()) nominal.emplace(nominal_model(experiment, run.rest_at(reading)));
+      const Balance found = balance(*nominal, reading, noise, experiment.noise.q * of_group);
       for (std::size_t j = 0; j < by_joint.size(); ++j) {
         const auto k = static_cast<Eigen::Index>(j);
         by_joint[j].push_back({r, i, reading.q[j], found.torque(k), found.sigma(k)});
@@ -118,7 +119,8 @@ Experiment as_measured(Experiment experiment, const Prediction& predicted) {
 
 std::vector<JointShare> shares_by_missing_torque(const Study& study, const NoiseEstimate& noise) {
   using Name = Channel::Name;
-  const double scale = std::max({noise.scale_of(Name::q), noise.scale_of(Name::Fx), noise.scale_of(Name::Fy)});
+  const double scale =
+      std::max({noise.scale_of(Name::q), noise.scale_of(Name::Fx), noise.scale_of(Name::Fy)});
   std::vector<double> weight;
   for (const auto& torques : missing_torques(study, study.experiment()))
     weight.push_back(excess(torques, scale));

@@ -18,8 +18,12 @@ Excitation exercise_of(const Experiment& experiment, const Prediction& nominal) 
   for (std::size_t i = 0; i < use.deflection.size(); ++i) {
     double& most = use.deflection[i];
     for (std::size_t r = 0; r < nominal.runs.size(); ++r)
-      for (const double q : nominal.runs[r].col(column_q + static_cast<Eigen::Index>(i)))
-        if (std::isfinite(q)) most = std::max(most, std::abs(q - experiment.runs[r].rest[i]));
+      for (Eigen::Index row = 0; row < nominal.runs[r].rows(); ++row) {
+        const Run& run = experiment.runs[r];
+        const double q = nominal.runs[r](row, column_q + static_cast<Eigen::Index>(i)),
+                     rest = run.rest_at(run.readings[static_cast<std::size_t>(row)])[i];
+        if (std::isfinite(q)) most = std::max(most, std::abs(q - rest));
+      }
     use.largest = std::max(use.largest, most);
     use.torque = std::max(use.torque, experiment.joint_stiffness[i] * most);
   }

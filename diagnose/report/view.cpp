@@ -104,7 +104,26 @@ HeldOut heldout_of(const Explained& explained) {
   return all ? HeldOut{} : held;
 }
 
+namespace {
+
+/// Of joints that are commanded: that of the joint which is sent farthest.
+Command command_of_joints(const Run& run) {
+  Command command{{}, "", 0};
+  std::size_t joint = 0;
+  double most = -1;
+  for (std::size_t i = 0; i < run.readings.size(); ++i)
+    for (std::size_t j = 0; j < run.rest.size(); ++j)
+      if (const double way = std::abs(run.readings[i].rest[j] - run.rest[j]); way > most)
+        most = way, joint = j, command.farthest = i;
+  for (const Reading& reading : run.readings) command.along.push_back(reading.rest[joint] - run.rest[joint]);
+  command.label = fmt::format("command of joint {} from its first, rad", joint + 1);
+  return command;
+}
+
+}  // namespace
+
 Command command_of(const Run& run) {
+  if (run.commands_joints()) return command_of_joints(run);
   std::vector<Vector2> way;
   Command command{{}, "", 0};
   Vector2 start(0, 0), farthest(0, 0);

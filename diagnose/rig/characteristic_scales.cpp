@@ -76,9 +76,10 @@ CharacteristicScales characteristic_scales(const Experiment& experiment) {
     if (const double pause = run.sampling_interval(); pause > 0)
       size.sampling_interval = size.sampling_interval > 0 ? std::min(size.sampling_interval, pause) : pause;
     size.measures_force = size.measures_force || reads_force(run);
-    size.imposes_force = size.imposes_force ||
-                         (!run.holds_end_point() &&
-                          any_reading(run, [&](const Reading& one) { return run.command(one).norm() > 0; }));
+    size.imposes_force =
+        size.imposes_force || (!run.holds_end_point() && any_reading(run, [&](const Reading& one) {
+          return run.imposed_at(one).norm() > 0;
+        }));
     size.pivot = size.pivot || !run.by_weights;
     size.load_cell = size.load_cell || reads_force(run) || !(run.holds_end_point() || run.by_weights);
     size.clock = size.clock || !run.counts_readings();

@@ -46,7 +46,16 @@ Vector2 force_on_cell(const Rig& rig, const Vector2& shown) {
 struct Traveller {
   Traveller(const Experiment& experiment, const Rig& rig, const Run& run)
       : on(rig, run.rest), unloaded(unloaded_end(experiment, run.rest)), memory(run.rest.size()) {
-    for (std::size_t i = 0; i < memory.size(); ++i) memory[i].angle = on.joint[i].rest;
+    for (std::size_t i = 0; i < memory.size(); ++i) {
+      memory[i].angle = on.joint[i].rest;
+      rest_then_.push_back(on.joint[i].rest);
+    }
+  }
+
+  /// Commands other joint angles.
+  void turn_to(const std::vector<double>& rest) {
+    on.turn_to(rest);
+    for (std::size_t i = 0; i < memory.size(); ++i) memory[i].led = on.joint[i].rest - rest_then_[i];
   }
 
   /// The true end point (after position offset and rail misalignment) or the true force (after the load cell,
@@ -55,11 +64,11 @@ struct Traveller {
   [[nodiscard]] Imposed imposed(const Run& run, const Reading& reading, double growing) const {
     const Rig& rig = on.rig;
     if (run.holds_end_point())
-      return {run.control, unloaded + turned(run.command(reading) - unloaded, rig.misalignment) +
-                               rig.position_offset};
+      return {run.control,
+              unloaded + turned(run.imposed_at(reading) - unloaded, rig.misalignment) + rig.position_offset};
     const double passed = rig.pulley_friction == 0 ? 1 : std::exp(-rig.pulley_friction * growing);
-    if (run.by_weights) return {run.control, turned(passed * run.command(reading), rig.misalignment)};
-    const Vector2 read = run.command(reading) - rig.force_bias - rig.force_drift * reading.t;
+    if (run.by_weights) return {run.control, turned(passed * run.imposed_at(reading), rig.misalignment)};
+    const Vector2 read = run.imposed_at(reading) - rig.force_bias - rig.force_drift * reading.t;
     return {run.control, turned(passed * force_on_cell(rig, read), rig.misalignment)};
   }
 
@@ -108,6 +117,8 @@ struct Traveller {
       // The approach to the first reading has no known speed.
       own.turn = std::abs(during.relaxed ? q : q - own.angle);
       own.angle = q;
+      own.led = 0;
+      rest_then_[i] = law.rest;
     }
   }
 
@@ -131,6 +142,7 @@ struct Traveller {
   }
 
   Vector2 felt_ = Vector2::Zero(), shown_ = Vector2::Zero();  ///< at the last reading
+  std::vector<double> rest_then_;                             ///< of each joint, likewise
 };
 
 /// The last angle of a joint that differed by more than JointLaw::turning from the one before, and the
@@ -147,6 +159,7 @@ class RunWalk {
           const std::vector<Rig>& variations)
       : run_(run),
         experiment_(experiment),
+        before_(run.before_first()),
         layout_(layout),
         parts_(substeps(run, layout, rig)),
         solver_(layout, std::accumulate(parts_.begin(), parts_.end(), std::size_t{0})),
@@ -160,6 +173,8 @@ class RunWalk {
 
   /// Fills the rows of the run; `sensitivity` holds the difference of each varied rig from the rig.
   bool walk(Trace& trace, const std::vector<Trace*>& sensitivity) {
+    if (before_ && !go_to(*before_, std::nullopt)) return false;
+    if (before_) last_ = &*before_;
     for (std::size_t r = 0; r < run_.readings.size(); ++r) {
       const auto row = static_cast<Eigen::Index>(r);
       if (!imposed_is_known(run_.readings[r])) {
@@ -180,7 +195,7 @@ class RunWalk {
 
  private:
   [[nodiscard]] bool imposed_is_known(const Reading& reading) const {
-    return run_.command(reading).allFinite();
+    return run_.imposed_at(reading).allFinite();
   }
 
   void start() {
@@ -267,7 +282,7 @@ class RunWalk {
     const std::size_t count = last_ ? parts_[r] : 1;
     for (std::size_t part = 1; part < count; ++part) {
       const double share = static_cast<double>(part) / static_cast<double>(count);
-      if (!go_to(interpolated(*last_, reading, share), std::nullopt)) break;
+      if (!go_to(between(*last_, reading, share), std::nullopt)) break;
     }
     if (!go_to(reading, r)) return false;
     notice_turns();
@@ -292,13 +307,16 @@ class RunWalk {
   /// \param r  its number, for a reading; nullopt for a substep
   bool go_to(const Reading& reading, std::optional<std::size_t> r) {
     const double dt = moved_ ? reading.t - last_time_ : 0;
-    const double size = run_.command(reading).norm();
+    const double size = run_.imposed_at(reading).norm();
     if (size != last_size_) growing_ = size > last_size_ ? 1 : -1;
     last_size_ = size;
     const Imposed target = main_.imposed(run_, reading, growing_);
-    const double last_way = last_step_.norm(),
-                 share = last_way > 0 ? (target.value - at_.value).norm() / last_way : 0;
+    const Vector2 command = run_.command(reading);
+    const double way =
+                     reading.rest.empty() ? (target.value - at_.value).norm() : (command - commanded_).norm(),
+                 share = last_way_ > 0 ? way / last_way_ : 0;
     const auto step_of = [&](Traveller& rig) {
+      if (!reading.rest.empty()) rig.turn_to(reading.rest);
       rig.expect(share, dt);
       RigStep step{rig.on, moved_ ? rig.interval(dt) : TimeStep{}, rig.memory};
       step.interval.end = reading.t;
@@ -319,7 +337,9 @@ class RunWalk {
     }
     main_.remember(layout_, step.interval);
     last_step_ = target.value - at_.value;
+    last_way_ = way;
     at_ = target;
+    commanded_ = command;
     last_time_ = reading.t;
     moved_ = true;
     return true;
@@ -370,13 +390,15 @@ class RunWalk {
 
   const Run& run_;
   const Experiment& experiment_;
+  std::optional<Reading> before_;
   Layout layout_;
   std::vector<std::size_t> parts_;  ///< number of substeps to each reading
   RigSolver<Bandwidth> solver_;
   Traveller main_;
   std::vector<Traveller> beside_;
   Posture last_posture_, guess_;
-  Vector2 last_step_ = Vector2::Zero();
+  Vector2 last_step_ = Vector2::Zero(), commanded_ = Vector2::Zero();
+  double last_way_ = 0;  ///< length of the last step of the command
   Imposed at_{Control::end_point, Vector2::Zero()};
   const Reading* last_ = nullptr;  ///< with a known command
   double last_time_ = 0;

@@ -28,6 +28,9 @@ struct JointSlider {
   bool widens = false;
   bool from_rest = false;  ///< is loaded from rest on; others start relaxed at the first reading
   std::optional<TorqueTable> profile = std::nullopt;
+  /// Rubs in the bearing: the turn of the joint moves it, and a command does not. Others are parts of the
+  /// spring, which its deflection from the commanded angle moves.
+  bool in_bearing = false;
 
   /// Relative margin of the slip torque by which a contact changes its state: above rounding.
   static constexpr double rounding = 1e-7;
@@ -61,6 +64,7 @@ inline constexpr std::size_t most_arms = most_nominal_arms + 3 + most_law_arms,
 /// The memory of a joint at the last reading.
 struct JointMemory {
   double angle = 0;                              ///< q
+  double led = 0;                                ///< change of the rest angle since then, rad
   std::array<double, most_sliders> slider = {};  ///< forces of the sliders along their coordinates
   std::array<double, most_arms> arm = {};        ///< torques of the Maxwell arms
   double set = 0;                                ///< plastic change of the rest angle
@@ -103,7 +107,7 @@ struct JointLaw {
   [[nodiscard]] Torque along(const JointSlider& one, double carried, double angle, const JointMemory& last,
                              Contact contact) const {
     if (!one.acts()) return {};
-    const double d = angle - rest, before = last.angle - rest, moved = one.way(d) - one.way(before);
+    const double d = angle - rest, before = last_place(one, last), moved = one.way(d) - one.way(before);
     if (contact == Contact::sticks) return stretched(carried, one.stiffness, moved);
     const double side = contact == Contact::slips_up ? 1 : -1, share = side * one.share(side, last.speed);
     return {side * one.slip(d, side, last.speed), share * std::copysign(one.law.growth, d),
@@ -114,7 +118,7 @@ struct JointLaw {
                            Contact contact) const {
     const Torque felt = along(one, carried, angle, last, contact);
     if (one.profile) {
-      const double d = angle - rest, before = last.angle - rest;
+      const double d = angle - rest, before = last_place(one, last);
       const Torque whole = one.profile->at(d);
       return {felt.value * whole.value, felt.slope * whole.value + felt.value * whole.slope,
               one.profile->work(before, d, felt.value - felt.slope * (d - before), felt.value)};
@@ -129,7 +133,7 @@ struct JointLaw {
   [[nodiscard]] Contact next(const JointSlider& one, double carried, double angle, const JointMemory& last,
                              Contact contact) const {
     const double d = angle - rest,
-                 trial = carried + one.stiffness * (one.way(d) - one.way(last.angle - rest));
+                 trial = carried + one.stiffness * (one.way(d) - one.way(last_place(one, last)));
     const auto beyond = [&](double side, double rounding) {
       return side * trial > one.slip(d, side, last.speed) * (1 + rounding);
     };
@@ -141,12 +145,12 @@ struct JointLaw {
     return beyond(side, -JointSlider::rounding) ? contact : Contact::sticks;
   }
 
-  /// The torque of a Maxwell arm after an interval at constant joint speed (exact).
+  /// The torque of a Maxwell arm after an interval at constant speed of its deflection (exact).
   /// \param decay  exp(-dt/tau)
   /// \param gain   (1 - exp(-dt/tau)) tau/dt
   [[nodiscard]] Torque viscous(std::size_t arm, double angle, const JointMemory& last, double decay,
                                double gain) const {
-    return stretched(decay * last.arm[arm], arm_stiffness[arm] * gain, angle - last.angle);
+    return stretched(decay * last.arm[arm], arm_stiffness[arm] * gain, angle - last.angle - last.led);
   }
 
   /// Updates the plastic change of the rest angle after a reading at this angle.
@@ -158,6 +162,11 @@ struct JointLaw {
   }
 
  private:
+  /// The deflection at the last reading as a slider counts it.
+  [[nodiscard]] double last_place(const JointSlider& one, const JointMemory& last) const {
+    return one.in_bearing ? last.angle - rest : last.angle - (rest - last.led);
+  }
+
   /// A spring that acts beyond a deflection.
   static Torque felt_beyond(double limit, double stiffness, double d) {
     const double over = std::abs(d) - limit;

@@ -22,10 +22,9 @@ void add(const FreeLaw& own, const std::vector<double>& times, JointLaw& law) {
   }
 }
 
-JointLaw joint_law(const Rig& rig, const std::vector<double>& times, std::size_t i, double rest) {
+JointLaw joint_law(const Rig& rig, const std::vector<double>& times, std::size_t i) {
   JointLaw law;
   law.stiffness = rig.stiffness[i];
-  law.rest = rest * std::exp(-rig.capstan * static_cast<double>(i)) + rig.rest_error[i];
   law.backlash = rig.backlash[i];
   law.stop = rig.stop[i];
   law.stop_stiffness = rig.stop_stiffness[i];
@@ -42,6 +41,7 @@ JointLaw joint_law(const Rig& rig, const std::vector<double>& times, std::size_t
     const bool gives = rig.presliding > 0 && rig.friction[i] > 0;
     law.slider.push_back({gives ? std::min(stiff, rig.friction[i] / rig.presliding) : stiff, rig.friction[i],
                           rig.friction_law});
+    law.slider.back().in_bearing = true;
     for (const Slider& one : rig.sliders[i]) law.slider.push_back({one.ratio * law.stiffness, one.yield});
   }
   for (const FreeLaw& one : rig.laws)
@@ -51,6 +51,7 @@ JointLaw joint_law(const Rig& rig, const std::vector<double>& times, std::size_t
   if (std::any_of(law.stated.begin(), law.stated.end(), std::mem_fn(&StatedTorque::directed))) {
     law.direction = law.slider.size();
     law.slider.push_back({1 / JointLaw::turning, 1});
+    law.slider.back().in_bearing = true;
   }
   return law;
 }
@@ -86,9 +87,15 @@ RunRig::RunRig(Rig own, const std::vector<double>& commanded_rest)
     beyond[j] = carried;
     carried += rig.weight[j];
   }
-  for (std::size_t i = 0; i < n; ++i) {
-    joint.push_back(joint_law(rig, arm_time, i, commanded_rest[i]));
-    rest_orientation += joint.back().rest;
+  for (std::size_t i = 0; i < n; ++i) joint.push_back(joint_law(rig, arm_time, i));
+  turn_to(commanded_rest);
+}
+
+void RunRig::turn_to(const std::vector<double>& commanded_rest) {
+  rest_orientation = 0;
+  for (std::size_t i = 0; i < joint.size(); ++i) {
+    joint[i].rest = commanded_rest[i] * std::exp(-rig.capstan * static_cast<double>(i)) + rig.rest_error[i];
+    rest_orientation += joint[i].rest;
   }
 }
 

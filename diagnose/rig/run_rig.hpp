@@ -26,10 +26,12 @@ std::vector<double> arm_times(const Rig& rig);
 /// \param joint  from 0
 std::size_t slider_count(const Rig& rig, std::size_t joint);
 
-/// The rig during one run, with the rest angles of its joints.
+/// The rig during one run, with the present rest angles of its joints.
 struct RunRig {
   /// \param own  the rig in this run
   RunRig(Rig own, const std::vector<double>& commanded_rest);
+  /// Commands other rest angles.
+  void turn_to(const std::vector<double>& commanded_rest);
   Rig rig;
   std::vector<double> arm_time;  ///< see arm_times()
   std::vector<JointLaw> joint;

@@ -13,31 +13,41 @@ bool slips_on_the_way(const Layout& layout, const Rig& rig) {
   return slips && rig.laws.empty() && rig.friction_law.fall == 0;
 }
 
+/// The largest turn of a link in the unloaded shape between two readings.
+double most_turned(const Reading& from, const Reading& to) {
+  double theta = 0, most = 0;
+  for (std::size_t i = 0; i < from.rest.size(); ++i) {
+    theta += to.rest[i] - from.rest[i];
+    most = std::max(most, std::abs(theta));
+  }
+  return most;
+}
+
 }  // namespace
 
 std::vector<std::size_t> substeps(const Run& run, const Layout& layout, const Rig& rig) {
   constexpr double least = 48;  // substeps to the farthest command
+  constexpr double turn =
+      0.25;  // rad: farthest that commanded links turn in a substep, so that it is not a snap
   std::vector<std::size_t> all(run.readings.size(), 1);
-  if (!slips_on_the_way(layout, rig) || all.empty()) return all;
-  const Eigen::Vector2d start = run.command(run.readings.front());
+  const bool slips = slips_on_the_way(layout, rig);
+  if (all.empty() || !(slips || run.commands_joints())) return all;
+  const Reading first = run.before_first().value_or(run.readings.front());
+  const Eigen::Vector2d start = run.command(first);
   double farthest = 0;
   for (const Reading& one : run.readings)
     if (const double way = (run.command(one) - start).norm(); std::isfinite(way))
       farthest = std::max(farthest, way);
-  Eigen::Vector2d last = start;
-  for (std::size_t r = 0; r < all.size() && farthest > 0; ++r) {
-    const Eigen::Vector2d here = run.command(run.readings[r]);
-    if (!here.allFinite()) continue;
-    all[r] = static_cast<std::size_t>(std::max(1.0, std::ceil(least * (here - last).norm() / farthest)));
-    last = here;
+  const Reading* last = &first;
+  for (std::size_t r = 0; r < all.size(); ++r) {
+    const Reading& here = run.readings[r];
+    const double way = (run.command(here) - run.command(*last)).norm();
+    if (!std::isfinite(way)) continue;
+    const double by_way = slips && farthest > 0 ? least * way / farthest : 0;
+    all[r] = static_cast<std::size_t>(std::ceil(std::max({1.0, by_way, most_turned(*last, here) / turn})));
+    last = &here;
   }
   return all;
-}
-
-Reading interpolated(const Reading& from, const Reading& to, double share) {
-  const auto between = [&](double a, double b) { return a + share * (b - a); };
-  return {between(from.t, to.t),   between(from.x, to.x),   between(from.y, to.y),
-          between(from.Fx, to.Fx), between(from.Fy, to.Fy), {}};
 }
 
 }  // namespace plumbline::diagnose

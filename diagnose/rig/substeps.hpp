@@ -9,11 +9,7 @@
 
 namespace plumbline::diagnose {
 
-/// Number of substeps from each reading to the next: one where no joint slips, else in proportion to the
-/// distance, with 48 to the farthest command of the run.
+/// Number of substeps to each reading from the one before it: one where no joint slips, else in proportion to
+/// the distance, with 48 to the farthest command of the run. Commanded links turn by 0.25 rad in one at most.
 std::vector<std::size_t> substeps(const Run& run, const Layout& layout, const Rig& rig);
-
-/// A reading between two others, by linear interpolation of the command; nothing is measured there.
-Reading interpolated(const Reading& from, const Reading& to, double share);
-
 }  // namespace plumbline::diagnose

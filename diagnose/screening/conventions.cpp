@@ -12,6 +12,7 @@
 
 #include "diagnose/bench/conversion.hpp"
 #include "diagnose/rig/nominal.hpp"
+#include "diagnose/screening/misfit.hpp"
 #include "diagnose/screening/stuck_channel.hpp"
 
 namespace plumbline::diagnose {
@@ -29,6 +30,9 @@ constexpr double start_off = 0.03, start_far_off = 0.1, mostly_placed = 0.1, who
 struct Allowance {
   double misfit, readings;
 };
+/// Largest fraction of the misfit as read, both of the readings, that a conversion may leave: it mends nearly
+/// all, or the numbers are another gap's.
+constexpr double nearly_all = 0.35;
 /// With a gap beside the slip the readings still follow the model. A gap does not turn or reverse numbers,
 /// nor multiply them by a thousand; but a chain that buckles to the other side looks mirrored, and a soft
 /// first joint looks like a list in reverse order. A conversion that other runs refute must mend the rest
@@ -50,87 +54,11 @@ const Allowance& allowance(const Conversion& conversion) {
   return is_large(conversion.factor) ? of_a_large_factor : usual;
 }
 
-/// Sums of squares of a measured column of one run, from the unloaded state on, and of its prediction.
-struct Column {
-  Channel channel{};
-  double measured = 0, predicted = 0, product = 0;
-  std::size_t count = 0;
-
-  [[nodiscard]] double energy() const { return measured + predicted; }
-  [[nodiscard]] double difference() const { return std::max(0.0, energy() - 2 * product); }
-};
-
-using Columns = std::vector<Column>;  ///< of one run
-
-/// Values missing in the prediction count as unloaded; values that a conversion could not read are left out.
-Column compare(const Channel& channel, const Run& run, const Trace& predicted, double unloaded) {
-  Column column{channel};
-  for (std::size_t i = 0; i < run.readings.size(); ++i) {
-    const double m = channel.of(run.readings[i]) - unloaded;
-    if (!std::isfinite(m)) continue;
-    ++column.count;
-    const double value = predicted(static_cast<Eigen::Index>(i), column_of(channel));
-    const double p = std::isfinite(value) ? value - unloaded : 0;
-    column.measured += m * m;
-    column.predicted += p * p;
-    column.product += m * p;
-  }
-  return column;
-}
-
-double unloaded_value(const Channel& channel, const Vector2& end, const std::vector<double>& rest) {
-  switch (channel.name) {
-    case Channel::Name::x:
-      return end.x();
-    case Channel::Name::y:
-      return end.y();
-    case Channel::Name::q:
-      return rest[channel.joint];
-    default:
-      return 0;
-  }
-}
-
-/// By run, the columns that hold readings.
-std::vector<Columns> compare(const Experiment& experiment, const Prediction& prediction) {
-  std::vector<Columns> runs(experiment.runs.size());
-  for (std::size_t r = 0; r < runs.size(); ++r) {
-    const Run& run = experiment.runs[r];
-    for (const Channel& channel : run.measured()) {
-      const double unloaded = unloaded_value(channel, unloaded_end(experiment, run.rest), run.rest);
-      const Column column = compare(channel, run, prediction.runs[r], unloaded);
-      if (column.count > 0) runs[r].push_back(column);
-    }
-  }
-  return runs;
-}
-
-double energy_of_sensor(const Columns& columns, const Column& one) {
-  double sum = 0;
-  for (const Column& other : columns)
-    if (other.channel.sensor() == one.channel.sensor()) sum += other.energy();
-  return sum;
-}
-
-/// Misfit of a column in any unit: 0 for agreement, 1 for no relation, 2 for a mirror image. A column that is
-/// small beside the others of its sensor counts less.
-double misfit(const Columns& columns, const Column& one) {
-  constexpr double beside = 0.05;
-  const double sensor = energy_of_sensor(columns, one);
-  return sensor > 0 ? one.difference() / (one.energy() + beside * sensor) : 0;
-}
-
-double worst(const Columns& columns) {
-  double most = 0;
-  for (const Column& one : columns) most = std::max(most, misfit(columns, one));
-  return most;
-}
-
 /// Whether the nominal model predicts the same for both.
 bool same_command(const Experiment& a, const Experiment& b) {
   const auto same_run = [](const Run& one, const Run& other) {
     const auto same_reading = [&](const Reading& r, const Reading& s) {
-      return one.command(r) == other.command(s);
+      return one.imposed_at(r) == other.imposed_at(s) && r.rest == s.rest;
     };
     return one.rest == other.rest &&
            std::equal(one.readings.begin(), one.readings.end(), other.readings.begin(), same_reading);
@@ -155,7 +83,7 @@ double distance_at_start(const Experiment& experiment) {
 /// fractions of the sensor's in the run.
 struct Change {
   double before = 0, after = 0;
-  std::array<Column, 3> was, is;
+  std::array<ColumnSums, 3> was, is;
   bool readable = true;  ///< the converted columns hold most of their readings
 
   Change& operator+=(const Change& other) {
@@ -163,14 +91,14 @@ struct Change {
     for (std::size_t s = 0; s < was.size(); ++s) add(was[s], other.was[s], 1), add(is[s], other.is[s], 1);
     return *this;
   }
-  static void add(Column& sum, const Column& one, double unit) {
+  static void add(ColumnSums& sum, const ColumnSums& one, double unit) {
     sum.measured += one.measured / unit;
     sum.predicted += one.predicted / unit;
     sum.product += one.product / unit;
   }
 };
 
-Change compare_run(const Columns& before, const Columns& after) {
+Change compare_run(const RunSums& before, const RunSums& after) {
   Change change;
   change.readable = after.size() == before.size();
   for (std::size_t c = 0; change.readable && c < after.size(); ++c) {
@@ -194,7 +122,7 @@ double tolerance(double factor, double shape) {
 }
 
 /// Whether the best remaining common factor of a unit is one.
-bool centred(const Column& sensor, double factor) {
+bool centred(const ColumnSums& sensor, double factor) {
   if (factor == 0 || sensor.predicted == 0 || sensor.measured == 0) return true;
   const double best = sensor.product / sensor.predicted;
   const double shape =
@@ -202,9 +130,9 @@ bool centred(const Column& sensor, double factor) {
   return best > 0 && std::abs(std::log(best)) < tolerance(factor, shape);
 }
 
-double relative_rms(const std::array<Column, 3>& sensors) {
+double relative_rms(const std::array<ColumnSums, 3>& sensors) {
   double left = 0, measured = 0;
-  for (const Column& one : sensors) left += one.difference(), measured += one.measured;
+  for (const ColumnSums& one : sensors) left += one.difference(), measured += one.measured;
   return std::sqrt(left / measured);
 }
 
@@ -246,7 +174,7 @@ class Check {
         conversions_(conversions(study.experiment())) {}
 
   [[nodiscard]] bool in_doubt() const {
-    const auto misfits = [](const Columns& run) { return worst(run) > misfit_in_doubt; };
+    const auto misfits = [](const RunSums& run) { return worst(run) > misfit_in_doubt; };
     return !study_.nominal().reached || start_ > start_in_doubt ||
            std::any_of(as_is_.begin(), as_is_.end(), misfits);
   }
@@ -261,8 +189,17 @@ class Check {
   }
 
  private:
+  /// The experiment after a conversion; one of some runs leaves those alone that agree as read.
+  [[nodiscard]] Experiment as_if(const Conversion& conversion) const {
+    Experiment experiment = converted(study_.experiment(), conversion);
+    if (!conversion.of_some) return experiment;
+    for (std::size_t r = 0; r < as_is_.size(); ++r)
+      if (worst(as_is_[r]) <= misfit_in_doubt) experiment.runs[r] = study_.experiment().runs[r];
+    return experiment;
+  }
+
   [[nodiscard]] std::optional<Trial> attempt(const Conversion& conversion) const {
-    const Experiment experiment = converted(study_.experiment(), conversion);
+    const Experiment experiment = as_if(conversion);
     constexpr double rounding = 1e-3;
     const double start = distance_at_start(experiment);
     if (start > start_ + rounding) return {};
@@ -289,7 +226,7 @@ class Check {
   }
 
   /// \param now  the converted columns
-  [[nodiscard]] std::optional<Trial> judge(const Conversion& conversion, const std::vector<Columns>& now,
+  [[nodiscard]] std::optional<Trial> judge(const Conversion& conversion, const std::vector<RunSums>& now,
                                            Placed placed) const {
     return placed == Placed::wholly ? judge_placed(conversion, now) : judge_mended(conversion, now, placed);
   }
@@ -297,13 +234,13 @@ class Check {
   /// A conversion that places the starts of all runs must not make anything else worse; how much it mends
   /// depends on the gap.
   [[nodiscard]] std::optional<Trial> judge_placed(const Conversion& conversion,
-                                                  const std::vector<Columns>& now) const {
+                                                  const std::vector<RunSums>& now) const {
     Trial trial{conversion};
     Change whole;
     for (std::size_t r = 0; r < now.size(); ++r) {
       const Change change = compare_run(as_is_[r], now[r]);
       if (!change.readable) return {};
-      for (const Column& column : now[r]) trial.misfit += misfit(now[r], column);
+      for (const ColumnSums& column : now[r]) trial.misfit += misfit(now[r], column);
       trial.runs.push_back(r);
       whole += change;
     }
@@ -314,7 +251,7 @@ class Check {
 
   /// The changed columns must agree in all runs that the conversion mends.
   [[nodiscard]] std::optional<Trial> judge_mended(const Conversion& conversion,
-                                                  const std::vector<Columns>& now, Placed placed) const {
+                                                  const std::vector<RunSums>& now, Placed placed) const {
     Trial trial{conversion};
     Change whole;
     bool refuted = false;
@@ -327,26 +264,29 @@ class Check {
       if (change.after > change.before + misfit_in_doubt && (conversion.chain || conversion.mirror))
         return {};
       refuted = refuted || worse;
-      for (const Column& column : mended ? now[r] : as_is_[r])
+      for (const ColumnSums& column : mended ? now[r] : as_is_[r])
         trial.misfit += misfit(mended ? now[r] : as_is_[r], column);
       if (!mended) continue;
       trial.runs.push_back(r);
       whole += change;
     }
     const bool mostly = placed == Placed::mostly;
-    const Allowance& allowed = refuted ? refuted_elsewhere : mostly ? usual : allowance(conversion);
+    if (conversion.of_some && trial.runs.size() == now.size()) return {};
+    const bool elsewhere = refuted || conversion.of_some;
+    const Allowance& allowed = elsewhere ? refuted_elsewhere : mostly ? usual : allowance(conversion);
     const bool in_doubt = mostly || whole.before >= misfit_in_doubt;
     if (trial.runs.empty() || !in_doubt || whole.after > allowed.misfit * whole.before) return {};
-    for (const Column& sensor : whole.is)
+    for (const ColumnSums& sensor : whole.is)
       if (!centred(sensor, conversion.factor)) return {};
     trial.misfit_as_read = relative_rms(whole.was);
     trial.left = relative_rms(whole.is);
-    if (trial.left > allowed.readings || trial.left > allowed.readings * trial.misfit_as_read) return {};
+    const double most = std::min(nearly_all, allowed.readings) * trial.misfit_as_read;
+    if (trial.left > allowed.readings || trial.left > most) return {};
     return trial;
   }
 
   const Study& study_;
-  std::vector<Columns> as_is_;
+  std::vector<RunSums> as_is_;
   double start_;
   std::vector<Conversion> conversions_;
 };
@@ -371,13 +311,16 @@ std::optional<SuspectedConvention> suspected_convention(const Study& study) {
   constexpr double alike = 2.25, alike_units = 10, as_well_units = 4, anyway = 1e-3;
   const auto less = [](const Trial& a, const Trial& b) { return a.misfit < b.misfit; };
   const Trial least = *std::min_element(found.begin(), found.end(), less);
+  // Runs that are right as read show how large the gap is, so that no factor is shifted by it.
+  const bool known_gap = least.runs.size() < study.experiment().runs.size();
+  const double as_near = known_gap ? 0 : anyway;
   std::erase_if(found, [&](const Trial& one) {
-    const bool units = one.conversion.factor != 0 && least.conversion.factor != 0;
-    return one.misfit > std::max((units ? alike_units : alike) * least.misfit, least.misfit + anyway);
+    const bool units = one.conversion.factor != 0 && least.conversion.factor != 0 && !known_gap;
+    return one.misfit > std::max((units ? alike_units : alike) * least.misfit, least.misfit + as_near);
   });
   // The order of questions: by remaining misfit, by usual sizes, by frequency.
-  const double as_well =
-      std::max((least.conversion.factor != 0 ? as_well_units : alike) * least.misfit, least.misfit + anyway);
+  const bool units = least.conversion.factor != 0 && !known_gap;
+  const double as_well = std::max((units ? as_well_units : alike) * least.misfit, least.misfit + as_near);
   const auto order = [&](const Trial& one) {
     return std::pair(one.misfit > as_well ? one.misfit : 0.0, one.unusual);
   };

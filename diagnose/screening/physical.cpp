@@ -167,10 +167,14 @@ void require_anything_measured(const Run& run, const Noise& noise) {
 /// A rest angle of thousands of turns, also in degrees: its sine would be rounding.
 void require_turns(const Run& run) {
   constexpr double most = 1e4;
-  for (std::size_t j = 0; j < run.rest.size(); ++j)
-    if (std::abs(run.rest[j]) > most)
-      throw Error("run \"" + run.id + "\"", fmt::format("rest of joint {}: {:.4g} rad", j + 1, run.rest[j]),
-                  fmt::format("an angle within {:.0f} rad", most));
+  const auto require = [&](const std::string& place, const std::vector<double>& rest) {
+    for (std::size_t j = 0; j < rest.size(); ++j)
+      if (std::abs(rest[j]) > most)
+        throw Error(place, fmt::format("rest of joint {}: {:.4g} rad", j + 1, rest[j]),
+                    fmt::format("an angle within {:.0f} rad", most));
+  };
+  require("run \"" + run.id + "\"", run.rest);
+  for (std::size_t r = 0; r < run.readings.size(); ++r) require(place(run, r), run.readings[r].rest);
 }
 
 void require_chain(const Experiment& experiment) {

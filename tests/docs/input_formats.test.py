@@ -49,8 +49,9 @@ EXPERIMENT = {
             "missing": ["NaN"]},
     "columns": {"t": "t", "x": "x", "y": 3, "Fx": {"column": "Fx", "unit": "N", "sign": 1, "zero": 0},
                 "Fy": {"constant": 0}, "q": {"column": ["q1", 7], "unit": "rad", "sign": [1, 1], "zero": [0, 0],
-                                             "absolute": False}},
-    "run": [{"id": "press", "control": "displacement", "loaded_by": "servo", "rest": [0.4, -0.9], "samples": "press.csv",
+                                             "absolute": False},
+                "q_command": {"column": ["c1", "c2"], "unit": "rad", "sign": -1, "zero": [0, 0], "absolute": False}},
+    "run": [{"id": "press", "control": "displacement", "begins": "relaxed", "loaded_by": "servo", "rest": [0.4, -0.9], "samples": "press.csv",
              "csv": {"decimal": "."}, "columns": {"Fx": {"zero": "first"}, "q": ["q1", "q2"]}}],
 }
 SAMPLES = "t,x,y,Fx,Fy,q1,q2\n0,9,0,0,0,0,0\n1,9,0,0,0,0,0\n"

@@ -60,7 +60,7 @@ void require_torque(const StatedEffect& stated, const Study& study, const TriedV
         if (!std::isfinite(q)) continue;
         const StatedTorque torque{i, stated.torque, trial.parameters};
         const StatedTorque::Place at{q,
-                                     q - run.rest[i],
+                                     q - run.rest_at(run.readings[static_cast<std::size_t>(row)])[i],
                                      run.readings[static_cast<std::size_t>(row)].t,
                                      experiment.joint_stiffness[i],
                                      {trace(row, column_Fx), trace(row, column_Fy)}};
@@ -80,9 +80,9 @@ void require_reading(const StatedEffect& stated, const StatedReading& one, const
     if (!correction.applies_to(channel)) continue;
     for (Eigen::Index row = 0; row < trace.rows(); ++row) {
       if (!trace.row(row).isFinite().all()) continue;
-      const double t = run.readings[static_cast<std::size_t>(row)].t;
+      const Reading& reading = run.readings[static_cast<std::size_t>(row)];
       for (const double direction : {1.0, -1.0}) {
-        const Moment moment{t, run.number, direction, run.rest[channel.joint]};
+        const Moment moment{reading.t, run.number, direction, run.rest_at(reading)[channel.joint]};
         require(correction.value(reading_values(trace.row(row).transpose(), moment, channel)), trial, stated,
                 "reading." + one.key, fmt::format("at reading {} of {}", row, run.id));
       }

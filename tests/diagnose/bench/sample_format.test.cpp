@@ -57,8 +57,8 @@ TEST_CASE("defaults of the sample format") {
   CHECK(format.skip_after_header == 0);
   CHECK_FALSE(format.any_order);
   CHECK_FALSE(format.absolute_angles);
-  const std::vector<std::string> names{"t", "x", "y", "Fx", "Fy", "q1", "q2"},
-      units{"s", "m", "m", "N", "N", "rad", "rad"};
+  const std::vector<std::string> names{"t", "x", "y", "Fx", "Fy", "q1", "q2", "q_command1", "q_command2"},
+      units{"s", "m", "m", "N", "N", "rad", "rad", "rad", "rad"};
   REQUIRE(format.columns.size() == names.size());
   for (std::size_t c = 0; c < names.size(); ++c) {
     CHECK(format.columns[c].channel == names[c]);
@@ -230,13 +230,14 @@ TEST_CASE("columns are found by their number, by their name, or in the standard 
   const SampleTable table = parse_sample_table("a,b,h\n1,2,3\n", "T", format);
   const ColumnPlaces places = column_places(table, format, "T", Control::end_point);
   using Place = std::optional<std::size_t>;
-  CHECK(places == ColumnPlaces{Place(), Place(1), Place(2), Place(), Place(), Place(), Place()});
+  CHECK(places ==
+        ColumnPlaces{Place(), Place(1), Place(2), Place(), Place(), Place(), Place(), Place(), Place()});
   CHECK(column_title(table, 1) == "b");
   SampleFormat bare = standard_format(2);
   bare.header = false;
   const SampleTable numbers = parse_sample_table("0,1,2,3,4\n", "T", bare);
   CHECK(column_places(numbers, bare, "T", Control::force) ==
-        ColumnPlaces{Place(0), Place(1), Place(2), Place(3), Place(4), Place(), Place()});
+        ColumnPlaces{Place(0), Place(1), Place(2), Place(3), Place(4), Place(), Place(), Place(), Place()});
   CHECK(column_title(numbers, 1) == "column 2");
 }
 

@@ -164,6 +164,46 @@ TEST_CASE("one run in another unit is named alone") {
   CHECK(suspected->looks_like == "kgf");
 }
 
+TEST_CASE("a decimal point that went astray in one run is named with its factor, and not as a unit nearby") {
+  const auto doubt_of = [](double share, std::size_t from) {
+    Experiment lever = three_links();
+    lever.link_length = {0.2};
+    lever.joint_stiffness = {2};
+    lever.link_mass = {0};
+    lever.bench.plane = Bench::Plane::horizontal;
+    lever.noise = {1e-5, 1e-5, 0, 0, 2e-4};
+    for (int run = 0; run < 2; ++run) load(lever, {0}, {0, 0}, {0, 7.5}, 30);
+    Experiment read = measured(lever, {}, {}, 5);
+    for (std::size_t r = from; r < 2; ++r)
+      for (Reading& reading : read.runs[r].readings) reading.Fx *= share, reading.Fy *= share;
+    return suspected_convention(Study(read));
+  };
+  for (const auto& [share, words] : {std::pair{10.0, "numbers ten times as large"},
+                                     {0.1, "numbers a tenth as large"},
+                                     {100.0, "numbers a hundred times as large"},
+                                     {1 / 9.80665, "kgf"}}) {
+    CAPTURE(share);
+    const auto doubt = doubt_of(share, 1);
+    REQUIRE(doubt);
+    CHECK(doubt->runs == std::vector<std::string>{"load-2"});
+    CHECK(doubt->looks_like == words);
+    CHECK(doubt->alternatives.empty());
+  }
+  CHECK(doubt_of(10, 1)->remedy == "columns.Fx.unit and columns.Fy.unit = \"0.1 N\"");
+  CHECK_FALSE(doubt_of(5, 1));
+}
+
+TEST_CASE("nothing is asked where the answer would mend half of the gap") {
+  // Degrees would make a misfit of 0.9 of the readings into one of 0.45: the model is wrong either way.
+  Experiment bench = three_links();
+  bench.noise.q = 1e-3;
+  load(bench, {0.3, 0.2, 0.1}, {0, 0}, {0, 1.5}, 20);
+  Experiment read = measured(bench, only("stiffness_scale"), {0.8}, 5);
+  for (Reading& reading : read.runs[0].readings)
+    for (std::size_t j = 0; j < reading.q.size(); ++j) reading.q[j] = bench.runs[0].rest[j] * 20;
+  CHECK_FALSE(suspected_convention(Study(read)));
+}
+
 TEST_CASE(
     "a convention refuted by other runs is suspected in one run if it removes nearly all, in all if much") {
   const auto asked = [](double share, std::size_t from) {
