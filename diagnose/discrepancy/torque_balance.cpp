@@ -5,6 +5,7 @@
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include "diagnose/rig/nominal.hpp"
 
@@ -80,7 +81,7 @@ std::vector<std::vector<MissingTorque>> missing_torques(const Experiment& experi
     for (std::size_t i = 0; i < run.readings.size(); ++i) {
       const Reading& reading = run.readings[i];
       if (!complete(reading)) continue;
-      if (!nominal || !reading.rest.empty()) nominal.emplace(nominal_model(experiment, run.rest_at(reading)));
+      if (!nominal || run.commands_joints()) nominal.emplace(nominal_model(experiment, run.rest_at(reading)));
       const Balance found = balance(*nominal, reading, noise, experiment.noise.q * of_group);
       for (std::size_t j = 0; j < by_joint.size(); ++j) {
         const auto k = static_cast<Eigen::Index>(j);
@@ -119,8 +120,7 @@ Experiment as_measured(Experiment experiment, const Prediction& predicted) {
 
 std::vector<JointShare> shares_by_missing_torque(const Study& study, const NoiseEstimate& noise) {
   using Name = Channel::Name;
-  const double scale =
-      std::max({noise.scale_of(Name::q), noise.scale_of(Name::Fx), noise.scale_of(Name::Fy)});
+  const double scale = std::max({noise.scale_of(Name::q), noise.scale_of(Name::Fx), noise.scale_of(Name::Fy)});
   std::vector<double> weight;
   for (const auto& torques : missing_torques(study, study.experiment()))
     weight.push_back(excess(torques, scale));
