@@ -20,7 +20,7 @@ namespace {
 // by 1e-5 of the deflection that the spring needs for its slip torque.
 constexpr double up_to_rounding = 1e-9;
 
-Run commanded(const std::vector<std::vector<double>>& commands) {
+Run commanded_run(const std::vector<std::vector<double>>& commands) {
   Run run{"sweep", Control::force, commands.front(), {}};
   for (std::size_t i = 0; i < commands.size(); ++i)
     run.readings.push_back({static_cast<double>(i), nan_value(), nan_value(), 0, 0,
@@ -40,7 +40,7 @@ Experiment swept_joint(double first = 0) {
   experiment.noise.q = 1e-3;
   std::vector<std::vector<double>> commands;
   for (int i = 0; i <= 24; ++i) commands.push_back({first + 0.05 * (12 - std::abs(12 - i))});
-  experiment.runs = {commanded(commands)};
+  experiment.runs = {commanded_run(commands)};
   return experiment;
 }
 
@@ -52,15 +52,15 @@ double angle(const Prediction& predicted, Eigen::Index reading) {
 
 TEST_CASE("poses in one table are the poses of a run each, where nothing remembers") {
   Experiment together = three_links();
-  together.link_mass = {0.3, 0.2, 0.2};
+  together.link_mass = {0.03, 0.02, 0.02};
   together.gravity = {0, -9.81};
   // The second and the third are a quarter turn and more from the one before.
   const std::vector<std::vector<double>> poses{
       {0.2, 0.3, -0.4}, {1.8, -0.5, 0.1}, {-0.4, 0.9, 0.6}, {-0.5, 0.8, 0.6}};
   Experiment apart = together;
-  together.runs = {commanded(poses)};
+  together.runs = {commanded_run(poses)};
   for (const auto& pose : poses) {
-    apart.runs.push_back(commanded({pose}));
+    apart.runs.push_back(commanded_run({pose}));
     apart.runs.back().readings.front().rest.clear();  // the pose is that of the run
   }
   const Prediction one = simulate(together, nominal_rig(together), {}),
@@ -109,8 +109,7 @@ TEST_CASE(
   const Experiment experiment = swept_joint(-0.3);
   Rig rig = nominal_rig(experiment);
   rig.arms = {{0.5, 3}};
-  rig.sliders = {{{0.7, 0.02}}};
-  rig.backlash = {0};
+  rig.sliders = {std::vector<Slider>{{0.7, 0.02}}};
   const Prediction predicted = simulate(experiment, rig, {});
   REQUIRE(predicted.reached);
   for (Eigen::Index i = 0; i <= 24; ++i)
