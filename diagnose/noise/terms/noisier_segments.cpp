@@ -6,7 +6,7 @@
 namespace plumbline::diagnose {
 namespace {
 
-constexpr std::size_t fewest = 6;  // readings of a segment, and beside it
+constexpr std::size_t fewest_of_segment = 6;  // readings of a segment, and beside it
 
 /// Squares of a sensor in a run up to each reading.
 std::vector<Squares> cumulated(const NoiseEvidence& evidence, std::size_t run, Sensor sensor) {
@@ -37,14 +37,14 @@ class NoisierSegments final : public NoiseTerm {
     const std::vector<Squares> until = cumulated(evidence, r, sensor);
     const std::size_t readings = until.size() - 1;
     const Squares& all = until.back();
-    if (readings < 2 * fewest || !(all.sum > 0)) return;
+    if (readings < 2 * fewest_of_segment || !(all.sum > 0)) return;
     const auto runs = static_cast<double>(evidence.experiment.runs.size());
     const double log_prior = std::log(priors::uneven_noise / runs) - 2 * std::log(static_cast<double>(readings));
-    for (std::size_t from = 0; from + fewest <= readings; ++from)
-      for (std::size_t to = from + fewest; to <= readings; ++to) {
+    for (std::size_t from = 0; from + fewest_of_segment <= readings; ++from)
+      for (std::size_t to = from + fewest_of_segment; to <= readings; ++to) {
         const Squares inside{until[to].sum - until[from].sum, until[to].count - until[from].count},
             outside{all.sum - inside.sum, all.count - inside.count};
-        if (inside.count < fewest || outside.count < fewest || inside.variance() <= outside.variance()) continue;
+        if (inside.count < fewest_of_segment || outside.count < fewest_of_segment || inside.variance() <= outside.variance()) continue;
         const double cost = log_prior - std::log(inside.count) / 2, log_odds = gain_of_two(inside, outside) + cost;
         if (log_odds <= (best ? best->log_odds : 0)) continue;
         const double factor = std::sqrt(inside.variance() / outside.variance());

@@ -118,18 +118,21 @@ TEST_CASE(
 
 TEST_CASE("what is wrong with commands is said in one line") {
   CHECK(tells(fault_in(two_joints, "q_command1,q1,q2\n0.2,0.2,0.1\n"),
-             "no column 'q_command2', which the run imposes"));
-  CHECK(tells(fault_in(one_joint, "sent,reached\n10,9\n,8\n30,27\n"), "sweep.csv:3: found an empty q_command"));
-  CHECK(tells(fault_in(edited(one_joint, "samples", "rest = [0]\nsamples"), swept_table), "q_command says it"));
+              "no column 'q_command2', which the run imposes"));
+  CHECK(
+      tells(fault_in(one_joint, "sent,reached\n10,9\n,8\n30,27\n"), "sweep.csv:3: found an empty q_command"));
+  CHECK(
+      tells(fault_in(edited(one_joint, "samples", "rest = [0]\nsamples"), swept_table), "q_command says it"));
   CHECK(tells(fault_in(edited(one_joint, "samples", "begins = \"late\"\nsamples"), swept_table),
-             "\"relaxed\" or \"moving\""));
+              "\"relaxed\" or \"moving\""));
   const std::string pressed =
-      edited(edited(one_joint, "\"command\"", "\"displacement\"\nbegins = \"moving\"\nrest = [0]"), "[columns]\n",
-           "[columns]\nx = \"reached\"\ny = \"reached\"\n");
+      edited(edited(one_joint, "\"command\"", "\"displacement\"\nbegins = \"moving\"\nrest = [0]"),
+             "[columns]\n", "[columns]\nx = \"reached\"\ny = \"reached\"\n");
   CHECK(tells(fault_in(pressed, "a,reached\n0,0\n"), "where the end point is put"));
   const std::string forced = edited(one_joint, "\"command\"", "\"force\"\nrest = [0]");
   CHECK(tells(
-      fault_in(edited(forced, "[columns]\n", "[columns]\nFx = { constant = 0 }\nFy = { constant = 0 }\n"), swept_table),
+      fault_in(edited(forced, "[columns]\n", "[columns]\nFx = { constant = 0 }\nFy = { constant = 0 }\n"),
+               swept_table),
       "a column 'sent' of commanded joint angles, expected control = \"command\""));
 }
 
