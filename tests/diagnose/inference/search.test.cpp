@@ -16,7 +16,7 @@ using namespace plumbline::diagnose::test;
 namespace {
 
 /// Two links in a vertical plane under forces there and back: nearly all of the catalogue shows.
-Experiment two_links() {
+Experiment rich_bench() {
   Experiment experiment = three_links();
   experiment.link_length = {0.3, 0.2};
   experiment.joint_stiffness = {4.0, 3.0};
@@ -58,7 +58,7 @@ bool can_follow(const Experiment& experiment, const EffectAt& at, const std::vec
 TEST_CASE("no effect of the catalogue, put into the nominal model, is likelier than what a search finds" *
           doctest::test_suite("long")) {
   std::mt19937 random(2601);
-  const Experiment bare = two_links();
+  const Experiment bare = rich_bench();
   const std::vector<EffectAt> possible = possible_effects(Study(bare));
   std::size_t asked = 0;
   for (const EffectAt& at : possible) {
@@ -80,7 +80,7 @@ TEST_CASE("no effect of the catalogue, put into the nominal model, is likelier t
 }
 
 TEST_CASE("a search weighs every cause once, most evidence first, and says how far it is") {
-  const Experiment bare = two_links();
+  const Experiment bare = rich_bench();
   const Study study(measured(bare, only("joint_stiffness", 2), {-0.2}, 31));
   std::vector<double> shares;
   const Findings findings = search(study, [&](double share) { shares.push_back(share); });
@@ -102,7 +102,7 @@ TEST_CASE("a search weighs every cause once, most evidence first, and says how f
 }
 
 TEST_CASE("an effect that no measured value shows is not excited") {
-  Experiment experiment = two_links();
+  Experiment experiment = rich_bench();
   experiment.runs.resize(1);  // no force is imposed
   const Findings findings = search(Study(measured(experiment, {}, {}, 32)));
   for (const EffectAt& at : findings.not_excited) {
