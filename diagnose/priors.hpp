@@ -43,7 +43,7 @@ inline constexpr double directional_share = 0.4, own_share = 0.3;
 
 // ---- Noise ----
 
-/// Scale of the logarithm of true over declared sigma, a Student density of two degrees of freedom; spread of the
+/// Scale of the logarithm of true over declared sigma, a Student density of four degrees of freedom; spread of the
 /// half-normal autocorrelation of successive readings.
 inline constexpr double noise_scale_spread = 0.25, correlation_spread = 0.3;
 /// So many readings are outliers: a Cauchy density, so many times as wide as the noise.

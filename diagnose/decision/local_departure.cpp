@@ -19,10 +19,8 @@ double log_local_departure(const Measurements& measurements, const VectorXd& lef
     for (std::size_t i = 0; i < series.readings.size(); ++i) {
       run.resize(std::max(run.size(), series.readings[i] + 1), 0.0);
       const double z = left(static_cast<Eigen::Index>(series.first + i)) / sigma(static_cast<Eigen::Index>(series.first + i));
-      const double outlier = log_outlier(z), inlier = log_inlier(z);
-      const double otherwise =
-          noise.shape.outlier[series.first + i] ? log_sum(Eigen::Vector2d(outlier, inlier)) : inlier;
-      run[series.readings[i]] += outlier - std::log(priors::outlier_share) - otherwise;
+      const double otherwise = log_sum(Eigen::Vector2d(log_outlier(z), log_inlier(z)));
+      run[series.readings[i]] += log_outlier(z) - std::log(priors::outlier_share) - otherwise;
     }
   }
   std::vector<double> places;

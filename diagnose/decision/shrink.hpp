@@ -27,7 +27,7 @@ struct Shrink {
   /// Whether the readings carry a gap that could shrink: more than the noise, by its squares.
   [[nodiscard]] bool tested() const { return 2 * noise_floor_ratio * noise_floor_ratio <= 1; }
   /// Whether the model surely predicts no better than the nominal one.
-  [[nodiscard]] bool fails() const { return ratio_low >= 1; }
+  [[nodiscard]] bool fails() const { return ratio_low > 1; }
 };
 
 /// Compares residuals before (nominal) and after on the held-out readings; outliers are left out of both,

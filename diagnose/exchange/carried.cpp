@@ -104,7 +104,7 @@ std::vector<Carried> what_is_carried(const Model& model, Format format) {
           {effect.label(), false, "an effect of your own, which this format has no expressions for"});
       continue;
     }
-    const Way way = way_of(format, effect.id);
+    const Way way = way_of(format, effect);
     Carried one{effect.label(), way.carried, std::string(way.how)};
     if (way.carried) {
       so_far.push_back(effect);

@@ -158,7 +158,8 @@ class Builder {
     own.damping = 2 * (k > 0 ? k : typical_) * response_time;
     const bool plays = rig_.backlash[j] > 0,
                stops = std::isfinite(rig_.stop[j]) && rig_.stop_stiffness[j] > 0;
-    if (!plays && k > 0) own.friction = rig_.friction[j];
+    const bool gives = rig_.presliding > 0;  // friction acts beside the joint then
+    if (!plays && k > 0 && !gives) own.friction = rig_.friction[j];
     if (stops && means_.soft_ranges && !plays) {
       own.range = {rest_[j] - rig_.stop[j], rest_[j] + rig_.stop[j]};
       own.range_stiffness = rig_.stop_stiffness[j];
@@ -170,7 +171,7 @@ class Builder {
       add(fmt::format("play{}", j + 1), place, std::move(play));
       add(fmt::format("link{}", j + 1), {0, 0}, std::move(own));
       sum_.back().push_back(name + "_play");
-      if (k > 0 && rig_.friction[j] > 0) tendon(name + "_dry", sum_.back(), 0, rig_.friction[j]);
+      if (k > 0 && rig_.friction[j] > 0 && !gives) tendon(name + "_dry", sum_.back(), 0, rig_.friction[j]);
     } else {
       add(fmt::format("link{}", j + 1), place, std::move(own));
     }
@@ -226,6 +227,9 @@ class Builder {
         arm(fmt::format("{}_relax{}", name, a + 1), all, parent, place, stiffness,
             [&](Hinge& one) { one.damping = stiffness * rig_.arms[a].time; });
     }
+    if (rig_.presliding > 0 && rig_.friction[j] > 0 && k > 0)
+      arm(name + "_dry", all, parent, place, rig_.friction[j] / rig_.presliding,
+          [&](Hinge& one) { one.friction = rig_.friction[j]; });
     for (std::size_t e = 0; e < rig_.sliders[j].size() && k > 0; ++e) {
       const diagnose::Slider& slider = rig_.sliders[j][e];
       if (slider.ratio > 0)

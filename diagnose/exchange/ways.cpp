@@ -44,6 +44,9 @@ constexpr Way runs{false, "differs from run to run"};
 constexpr Way linear{false, "springs of this format are linear"};
 constexpr Way constant{false, "dry friction of this format is a constant"};
 constexpr Way no_curve{false, "sensors of this format show in proportion"};
+constexpr Way no_presliding{false, "dry friction of this format does not give before it slips"};
+constexpr Way no_camera{false, "of the camera, not of the chain"};
+constexpr Way no_pulley{false, "of the pulley, not of the chain"};
 constexpr Way no_set{false, "rest angles of this format do not move"};
 constexpr Way no_coupling{false, "joints of this format are not coupled"};
 constexpr Way no_point{false, "this format has no place for where a force acts"};
@@ -72,6 +75,9 @@ const std::map<std::string_view, Way>& everywhere() {
                                                    {"axial_compliance", stretch},
                                                    {"link_bending", beam},
                                                    {"position_offset", offset},
+                                                   {"pulley_friction", no_pulley},
+                                                   {"camera_scale", no_camera},
+                                                   {"camera_turn", no_camera},
                                                    {"run_rest", runs},
                                                    {"run_tare", runs},
                                                    {"load_friction", constant},
@@ -115,12 +121,14 @@ Way without_coupling(Format format, std::string_view effect) {
 
 }  // namespace
 
-Way way_of(Format format, std::string_view effect) {
+Way way_of(Format format, const diagnose::NominalEffect& effect) {
   if (format == Format::toml) return {true, "as [[nominal.effect]]"};
-  if (const auto found = everywhere().find(effect); found != everywhere().end()) return found->second;
-  const auto found = coupled().find(effect);
-  if (found == coupled().end()) throw Error("effect", std::string(effect), "an id of the effect catalogue");
-  return format == Format::mjcf ? found->second : without_coupling(format, effect);
+  const bool gives = effect.id == "joint_friction" && effect.parameters.contains("d_s");
+  if (gives) return format == Format::mjcf ? jenkins : no_presliding;
+  if (const auto found = everywhere().find(effect.id); found != everywhere().end()) return found->second;
+  const auto found = coupled().find(effect.id);
+  if (found == coupled().end()) throw Error("effect", effect.id, "an id of the effect catalogue");
+  return format == Format::mjcf ? found->second : without_coupling(format, effect.id);
 }
 
 }  // namespace plumbline::exchange

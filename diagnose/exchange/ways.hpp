@@ -4,6 +4,7 @@
 
 #include <string_view>
 
+#include "diagnose/bench/nominal_chain.hpp"
 #include "diagnose/exchange/format.hpp"
 
 namespace plumbline::exchange {
@@ -14,7 +15,7 @@ struct Way {
 };
 
 /// For every row of the catalogue.
-/// \throws Error for another word
-Way way_of(Format format, std::string_view effect);
+/// \throws Error for another id
+Way way_of(Format format, const diagnose::NominalEffect& effect);
 
 }  // namespace plumbline::exchange

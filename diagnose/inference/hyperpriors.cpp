@@ -52,7 +52,7 @@ double Hyperpriors::log_odds_of_listed(double size) const {
 }
 
 double log_scale_prior(double log_scale) {
-  constexpr double freedom = 2;
+  constexpr double freedom = 4;
   return -(freedom + 1) / 2 * std::log1p(std::pow(log_scale / priors::noise_scale_spread, 2) / freedom);
 }
 

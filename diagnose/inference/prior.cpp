@@ -65,7 +65,7 @@ ParameterPrior::ParameterPrior(const ParameterRange& range) {
     shape_ = Shape::gaussian;
     scale_ = range.tolerance;
     largest_ = sides / (scale_ * std::sqrt(2 * std::numbers::pi));
-  } else if (range.may_be_nothing() || range.coordinate == Coordinate::reciprocal) {
+  } else if (range.may_be_nothing() || range.is_onset() || range.coordinate == Coordinate::reciprocal) {
     shape_ = Shape::cauchy;
     scale_ = range.scale;
     largest_ = sides / (std::numbers::pi * scale_);

@@ -12,7 +12,8 @@ namespace plumbline::diagnose {
 double log_prior(const Study& study, const Candidate& candidate);
 
 /// The prior density of one parameter: Gaussian about zero where it has a tolerance; Cauchy about zero, on the
-/// side that is physical, where zero is the nominal model; else uniform over its range.
+/// side that is physical, where zero is the nominal model or the parameter is
+/// a threshold; else uniform over its range.
 class ParameterPrior {
  public:
   explicit ParameterPrior(const ParameterRange& range);

@@ -193,7 +193,8 @@ class Searcher {
           tasks.push_back({Candidate{{EffectAt(row, j + 1)}}, initial_guesses(study_, EffectAt(row, j + 1))});
     fit(tasks, report);
     for (const Hypothesis& h : found_.hypotheses)
-      if (h.candidate.effects.size() == 1 && h.jacobian.cwiseAbs().maxCoeff() == 0)
+      if (h.candidate.effects.size() == 1 && !h.candidate.effects.front().effect->outside &&
+          h.jacobian.cwiseAbs().maxCoeff() == 0)
         found_.not_excited.push_back(h.candidate.effects.front());
   }
 

@@ -70,9 +70,7 @@ std::string EffectAt::label() const {
 }
 
 std::string EffectAt::name() const {
-  const std::vector<std::string_view>& nested = effect->nested;
-  const bool has_form_for_all = std::find(nested.begin(), nested.end(), effect->id) != nested.end();
-  return has_form_for_all ? label() + " (each its own)" : label();
+  return effect->form.empty() ? label() : fmt::format("{} ({})", label(), effect->form);
 }
 
 std::string EffectAt::in_words() const {

@@ -88,6 +88,8 @@ struct Effect {
   std::function<bool(const Place& at)> possible = [](const Place&) { return true; };
   /// Simpler rows that this row contains at special parameter values.
   std::vector<std::string_view> nested = {};
+  /// What distinguishes it from a simpler row of the same id; empty where it is the only one or the simplest.
+  std::string_view form = {};
   /// Rows that this row can reproduce by its values at every joint; only its tolerance distinguishes it from
   /// them.
   std::vector<std::string_view> within_values = {};
@@ -131,8 +133,7 @@ struct EffectAt {
 
   /// As in files: "backlash(2)".
   [[nodiscard]] std::string label() const;
-  /// As in reports for people, which distinguish one value for all joints from one at each: "joint_stops
-  /// (each its own)".
+  /// As in reports for people, which distinguish the forms of an effect: "joint_stops (each its own)".
   [[nodiscard]] std::string name() const;
   /// "play in joint 2"
   [[nodiscard]] std::string in_words() const;

@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "diagnose/inference/study.hpp"
+#include "diagnose/noise/noise_estimate.hpp"
 
 namespace plumbline::diagnose::test {
 
@@ -21,6 +23,15 @@ inline double nan_value() {
 
 inline Candidate only(const char* effect, std::size_t joint = 0) {
   return {{{effect, joint}}};
+}
+
+/// The form of an effect for the chain that is not the simplest one of its id.
+inline const Effect& other_form(std::string_view id) {
+  const auto row = std::find_if(catalogue().begin(), catalogue().end(), [&](const Effect& one) {
+    return one.id == id && !one.at_joint && &one != &effect(id);
+  });
+  REQUIRE(row != catalogue().end());
+  return *row;
 }
 
 /// What an effect's parameters are where zero and half a scale are no good choice.
@@ -46,6 +57,8 @@ inline std::optional<Chosen> chosen(const EffectAt& at) {
       {"plastic_set", {{0.05, 0}, {0.05, 0.3}}}};
   if (at.effect->id == "joint_stops" && at.effect != &effect("joint_stops"))  // each at its own angle
     return Chosen{{1, 10, 10, 10}, {1, 0.05, 0.08, 0.03}};
+  if (at.effect->id == "joint_friction" && at.effect != &effect("joint_friction"))  // gives before it slips
+    return Chosen{{0, std::log(0.01)}, {0.02, std::log(0.01)}};
   const auto place = all.find(at.effect->id);
   return place == all.end() ? std::nullopt : std::optional(place->second);
 }
@@ -132,6 +145,21 @@ inline Experiment measured(Experiment experiment, const Candidate& truth,
     }
   }
   return experiment;
+}
+
+/// The noise that is declared, of every channel that is measured.
+inline NoiseEstimate declared_noise(const Measurements& measurements) {
+  NoiseEstimate noise{{}, NoiseShape(measurements)};
+  for (const Block& block : measurements.blocks()) noise.channels.push_back({block.channel, 1, 0, 1});
+  return noise;
+}
+inline NoiseEstimate declared_noise(const Study& study) {
+  return declared_noise(study.measurements());
+}
+
+inline ChannelNoise& noise_of(NoiseEstimate& noise, const Channel& channel) {
+  return *std::find_if(noise.channels.begin(), noise.channels.end(),
+                       [&](const ChannelNoise& one) { return one.channel == channel; });
 }
 
 /// Predicted angle of joint i, from 0.

@@ -56,6 +56,7 @@ std::vector<Effect> friction_effects() {
            },
        .possible = [](const Place& at) { return at.scales.turns_back; },
        .nested = {"joint_friction"},
+       .form = "gives before it slips",
        .initial_guesses =
            [](const Place& at, const Excitation& nominal) {
              const double turn = at.scales.deflection;

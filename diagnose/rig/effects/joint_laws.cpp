@@ -152,6 +152,7 @@ std::vector<Effect> springs() {
            },
        .possible = several_elastic,
        .nested = {"asymmetric_spring"},
+       .form = "each its own",
        .within_values = {"asymmetric_spring"}},
   };
 }
@@ -242,6 +243,7 @@ std::vector<Effect> stops() {
            },
        .possible = several_links,
        .nested = {"joint_stops", "joint_stop"},
+       .form = "each its own",
        .initial_guesses =
            [](const Place& at, const Excitation& nominal) {
              return stop_guesses([&](double share, double stiff) {

@@ -16,7 +16,7 @@ inline ParameterRange onset_angle(std::string_view name) {
 /// k_s, the stiffness of a stop in parallel with a spring. A smoothly stiffening spring imitates a stop that
 /// is hardly stiffer than the spring: five of eight such joints on benches of another simulator.
 inline ParameterRange stop_stiffness(double spring) {
-  ParameterRange range = one_way("k_s", "N m/rad", spring, 100 * spring);
+  ParameterRange range = one_way("k_s", "N m/rad", 10 * spring, 300 * spring);
   range.shape_below = 3 * spring;
   return range;
 }

@@ -1,8 +1,11 @@
-#include "diagnose/discrepancy/implied_shares.hpp"
+#include "diagnose/answers/implied_shares.hpp"
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 #include "diagnose/discrepancy/torque_balance.hpp"
+#include "diagnose/discrepancy/unknown_torque.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 
@@ -24,49 +27,72 @@ Experiment presses_without_angles() {
   return experiment;
 }
 
-std::size_t named_joint(const EffectAt& at, const std::vector<double>& parameters) {
-  const Experiment experiment = measured(presses_without_angles(), {{at}}, parameters, 7);
-  const Measurements measurements(experiment);
-  const std::vector<double> residual = measurements.residual(experiment, predict(Study(experiment), {}, {}));
-  return shares_by_torque_law(Study(experiment), residual, NoiseModel()).front().joint;
+RankedCause explained(const Candidate& candidate, const std::vector<double>& parameters, double probability) {
+  RankedCause cause{};
+  cause.hypothesis.candidate = cause.cause = candidate;
+  cause.hypothesis.parameters = parameters;
+  cause.probability = probability;
+  return cause;
 }
 
 }  // namespace
 
-TEST_CASE("the best torque law sits at the joint where the torque is missing") {
-  for (const std::size_t joint : {1, 2, 3}) {
-    CHECK(named_joint({"joint_stiffness", joint}, {0.3}) == joint);
-    CHECK(named_joint({"backlash", joint}, {0.03}) == joint);
-    CHECK(named_joint({"joint_stop", joint}, {0.05, 3}) == joint);
+TEST_CASE("an unknown torque is most probable at the joint where the torque is missing") {
+  const std::vector<std::pair<EffectAt, std::vector<double>>> planted{
+      {{"joint_stiffness", 1}, {0.3}}, {{"backlash", 2}, {0.03}}, {{"joint_stop", 3}, {0.05, 3}}};
+  for (const auto& [at, parameters] : planted) {
+    CAPTURE(at.label());
+    const Study study(measured(presses_without_angles(), {{at}}, parameters, 7));
+    const std::vector<JointShare> shares = shares_by_unknown_torques(study, search(study));
+    REQUIRE(shares.size() == 3);
+    CHECK(shares.front().joint == at.joint);
+    CHECK(shares.front().share > 0.9);
   }
+}
+
+TEST_CASE("joints share by the evidence of an unknown torque at each alone") {
+  const Study study(measured(presses_without_angles(), {}, {}, 9));
+  Findings findings;
+  findings.outside = unknown_torques(study);
+  const auto add = [&](const Candidate& candidate, double log_evidence) {
+    Hypothesis& one = findings.hypotheses.emplace_back();
+    one.candidate = candidate;
+    one.log_evidence = log_evidence;
+  };
+  const Effect &small = findings.outside->front(), &large = findings.outside->back();
+  // ordered by their evidence
+  add({{{small, 3}, {"gravity"}}}, -900);
+  add(only("gravity"), -950);
+  add({{{small, 3}}}, -1000);
+  add({{{small, 1}}}, -1000 - std::log(4));
+  add({{{large, 1}}}, -1000 - std::log(4));
+  const std::vector<JointShare> shares = shares_by_unknown_torques(study, findings);
+  REQUIRE(shares.size() == 3);
+  CHECK((shares[0].joint == 3 && shares[0].share == close_to(1 / 1.5)));
+  CHECK((shares[1].joint == 1 && shares[1].share == close_to(0.5 / 1.5)));
+  CHECK((shares[2].joint == 2 && shares[2].share == 0.0));
 }
 
 TEST_CASE("a stiffer spring implies that torque is missing at its joint and nowhere else") {
   // The statics of the true rig are k_i d_i = [J^T F]_i but for k_2 (1 + a) d_2, so the nominal ones miss
   // a k_2 d_2 at joint 2 and nothing elsewhere.
-  const Experiment experiment = measured(presses_without_angles(), {{{"joint_stiffness", 2}}}, {0.3}, 8);
-  const Fit found = fit(Study(experiment), {{{"joint_stiffness", 2}}}, {});
-  const std::vector<JointShare> shares = shares_by_fits(Study(experiment), {found}, {1.0});
+  const Study study(measured(presses_without_angles(), {{{"joint_stiffness", 2}}}, {0.3}, 8));
+  const std::vector<JointShare> shares =
+      shares_by_causes(study, {explained(only("joint_stiffness", 2), {0.3}, 1)});
   CHECK(shares.front().joint == 2);
   // What is left elsewhere is the solver's tolerance, squared.
   CHECK(shares.front().share == close_to(1).epsilon(1e-9));
 }
 
-TEST_CASE("explanations share the joints by their probability, however large the torques that they imply") {
-  const Experiment experiment = measured(presses_without_angles(), {}, {}, 9);
-  const Study study(experiment);
-  const auto explained = [](std::size_t joint, double value) {
-    Fit fit;
-    fit.candidate = {{{"joint_stiffness", joint}}};
-    fit.parameters = {value};
-    return fit;
-  };
+TEST_CASE("causes share the joints by their probability, however large the torques that they imply") {
+  const Study study(measured(presses_without_angles(), {}, {}, 9));
   const std::vector<JointShare> shares =
-      shares_by_fits(study, {explained(1, 0.4), explained(3, 0.02)}, {0.25, 0.75});
+      shares_by_causes(study, {explained(only("joint_stiffness", 1), {0.4}, 0.25),
+                               explained(only("joint_stiffness", 3), {0.02}, 0.75)});
   REQUIRE(shares.size() >= 2);
   CHECK(shares[0].joint == 3);
-  CHECK(shares[0].share ==
-        close_to(0.75).epsilon(1e-6));  // the solver's tolerance in what is small elsewhere
+  // the solver's tolerance in what is small elsewhere
+  CHECK(shares[0].share == close_to(0.75).epsilon(1e-6));
   CHECK(shares[1].joint == 1);
   CHECK(shares[1].share == close_to(0.25).epsilon(1e-6));
 }

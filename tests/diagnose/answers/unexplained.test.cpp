@@ -1,4 +1,4 @@
-#include "diagnose/discrepancy/unexplained.hpp"
+#include "diagnose/answers/unexplained.hpp"
 
 #include <doctest/doctest.h>
 
@@ -41,7 +41,7 @@ Missing described(Part part) {
   std::vector<Reading>& readings = experiment.runs[0].readings;
   for (std::size_t i = 0; i < readings.size(); ++i) readings[i].Fx += part(i, readings[i]);
   const Study study(experiment);
-  return describe_missing(study, study.nominal_residual(), in_Fx());
+  return describe_missing(study, declared_noise(study), in_Fx());
 }
 
 }  // namespace
@@ -114,21 +114,23 @@ TEST_CASE("direction is the sign of motion: a run that begins pushed in and lets
     for (std::size_t i = 0; i < experiment.runs[r].readings.size(); ++i)
       experiment.runs[r].readings[i].Fx += r == 0 && i <= 40 ? 0.05 : -0.05;
   const Study study(experiment);
-  const Missing missing = describe_missing(study, study.nominal_residual(), in_Fx());
+  const Missing missing = describe_missing(study, declared_noise(study), in_Fx());
   for (std::size_t i = 0; i < 41; ++i) CHECK_FALSE(missing.points[81 + i].falling);
   CHECK(missing.by_direction == doctest::Approx(1));
 }
 
-TEST_CASE("a value that stands alone is not missing, and runs of another control are not drawn with it") {
+TEST_CASE("an outlier is not missing, and runs of another control are not drawn with it") {
   Experiment experiment = exact_press();
   experiment.runs[0].readings[20].Fx += 50;
   load(experiment, {0.3, -0.5, 0.4}, {0, 0}, {-0.1, 0}, 10);
   for (Reading& reading : experiment.runs[1].readings) reading.x = 0.5, reading.y = 0.1, reading.q = {};
   const Study study(experiment);
-  CHECK(describe_missing(study, study.nominal_residual(), in_Fx()).points.size() == 80);
+  NoiseEstimate noise = declared_noise(study);
+  noise.shape.outlier[20] = true;  // Fx is the first series
+  CHECK(describe_missing(study, noise, in_Fx()).points.size() == 80);
   Where in_x;
   in_x.channels = {{{Channel::Name::x}, 1}};
-  const Missing of_x = describe_missing(study, study.nominal_residual(), in_x);
+  const Missing of_x = describe_missing(study, declared_noise(study), in_x);
   CHECK(of_x.points.size() == 11);
   CHECK(of_x.what == "x");
   CHECK(of_x.against == "Fx");
@@ -143,10 +145,10 @@ TEST_CASE("a press along y is told over y, and a joint that has most of the miss
   Experiment read = measured(experiment, only("joint_stiffness", 2), {0.3}, 3);
   const Study study(read);
   Where where = in_Fx();
-  CHECK(describe_missing(study, study.nominal_residual(), where).against == "y");
+  CHECK(describe_missing(study, declared_noise(study), where).against == "y");
   where.joints = {{2, 0.6}, {1, 0.4}, {3, 0}};
   where.joint_evidence = JointEvidence::measured;
-  const Missing torque = describe_missing(study, study.nominal_residual(), where);
+  const Missing torque = describe_missing(study, declared_noise(study), where);
   CHECK(torque.what == "torque at joint 2");
   CHECK(torque.unit == "N m");
   CHECK(torque.against == "q2");
@@ -160,8 +162,8 @@ TEST_CASE("a press along y is told over y, and a joint that has most of the miss
           doctest::Approx(-0.3 * 1.5 * (torque.points[i].at + 0.5)).scale(1).epsilon(5 * 6e-5));
   }
   where.joints[0].share = 0.5;
-  CHECK(describe_missing(study, study.nominal_residual(), where).what == "Fx");
+  CHECK(describe_missing(study, declared_noise(study), where).what == "Fx");
   where.joints[0].share = 0.6;
   where.joint_evidence = JointEvidence::implied_by_fits;
-  CHECK(describe_missing(study, study.nominal_residual(), where).what == "Fx");
+  CHECK(describe_missing(study, declared_noise(study), where).what == "Fx");
 }

@@ -26,12 +26,12 @@ HeldOut whole_run(const Experiment& experiment, std::size_t which) {
 }
 
 /// A flat list that holds one value for each series, with alternating sign.
-std::vector<double> by_series(const Measurements& measurements, const std::vector<double>& size) {
-  std::vector<double> values(measurements.size());
+VectorXd by_series(const Measurements& measurements, const std::vector<double>& size) {
+  VectorXd values(static_cast<Eigen::Index>(measurements.size()));
   for (std::size_t s = 0; s < size.size(); ++s) {
     const Series& series = measurements.series()[s];
     for (std::size_t i = 0; i < series.readings.size(); ++i)
-      values[series.first + i] = i % 2 == 0 ? size[s] : -size[s];
+      values(static_cast<Eigen::Index>(series.first + i)) = i % 2 == 0 ? size[s] : -size[s];
   }
   return values;
 }
@@ -42,12 +42,12 @@ TEST_CASE("the shrink of four held-out readings, by hand") {
   Experiment experiment = blank_experiment({4, 4});
   experiment.noise.Fx = 0.5;
   experiment.noise.Fy = 2;
-  const Measurements measurements(experiment);  // series: Fx, Fy of the first run, Fx, Fy of the second
-  NoiseModel noise;
-  noise.scale = {9, 9, 1.5, 1.5, 9};
+  const Measurements measurements(experiment);  // series: Fx of the first run and the second, then Fy
+  NoiseEstimate noise = declared_noise(measurements);
+  for (ChannelNoise& one : noise.channels) one.scale = 1.5;
   // What the first run leaves was seen and does not count.
-  const std::vector<double> before = by_series(measurements, {50, 70, 6, 8}),
-                            after = by_series(measurements, {30, 40, 1, 2});
+  const VectorXd before = by_series(measurements, {50, 6, 70, 8}),
+                 after = by_series(measurements, {30, 1, 40, 2});
   const Shrink shrink = measure_shrink(measurements, whole_run(experiment, 1), before, after, noise);
   CHECK(shrink.heldout == std::vector<std::string>{"run-2"});
   CHECK(shrink.rms_before.at({Channel::Name::Fx}) == close_to(3));   // 6 sigmas of 0.5 N
@@ -59,7 +59,8 @@ TEST_CASE("the shrink of four held-out readings, by hand") {
   CHECK(shrink.noise_floor_ratio == close_to(std::sqrt(18.0 / 400)));
   CHECK(shrink.chi2_per_value_after == close_to(20.0 / 18));
   // In noise of 0.5 and 2.5 sigmas every value counts by its own: (4 2^2 + 4 0.8^2) / 8
-  noise.scale = {9, 9, 0.5, 2.5, 9};
+  noise_of(noise, {Channel::Name::Fx}).scale = 0.5;
+  noise_of(noise, {Channel::Name::Fy}).scale = 2.5;
   CHECK(measure_shrink(measurements, whole_run(experiment, 1), before, after, noise).chi2_per_value_after ==
         close_to(2.32));
   CHECK(shrink.channels.at({Channel::Name::Fx}).ratio == close_to(1.0 / 6));
@@ -71,31 +72,43 @@ TEST_CASE("the shrink of four held-out readings, by hand") {
   CHECK(shrink.ratio_high == close_to(1.0 / 4));
 }
 
-TEST_CASE("what is left beyond the noise, by hand") {
-  Shrink shrink;
-  shrink.ratio = 0.5, shrink.noise_floor_ratio = 0.3;
-  CHECK(shrink.beyond_noise() == close_to(0.4));
-  shrink.ratio = 0.2;
-  CHECK(shrink.beyond_noise() == 0);
+TEST_CASE("every value is weighed by the noise that it has") {
+  const Experiment experiment = blank_experiment({4, 4});
+  const Measurements measurements(experiment);
+  const VectorXd before = by_series(measurements, {9, 6, 9, 8}), after = by_series(measurements, {9, 3, 9, 2});
+  NoiseEstimate noise = declared_noise(measurements);
+  noise_of(noise, {Channel::Name::Fy}).scale = 2;
+  noise.shape.relative.segment(4, 2).setConstant(3);  // the first two of Fx
+  const Shrink shrink = measure_shrink(measurements, whole_run(experiment, 1), before, after, noise);
+  // Fx: twice 2^2 and twice 6^2, then twice 1 and twice 3^2; Fy: four times 4^2, then four times 1
+  CHECK(shrink.ratio == close_to(std::sqrt(24.0 / 144)));
+  CHECK(shrink.noise_floor_ratio == close_to(std::sqrt(8.0 / 144)));
 }
 
-TEST_CASE("held-out values count as those that do not correlate; none leave the shrink as it is") {
+TEST_CASE("a shrink tests where the gap is more than the noise, and fails where it is surely none") {
+  Shrink shrink;
+  shrink.noise_floor_ratio = 0.7, shrink.ratio_low = 0.99;
+  CHECK(shrink.tested());
+  CHECK_FALSE(shrink.fails());
+  shrink.noise_floor_ratio = 0.71, shrink.ratio_low = 1;
+  CHECK_FALSE(shrink.tested());
+  CHECK(shrink.fails());
+}
+
+TEST_CASE("bounds are of blocks of neighbours; nothing held out leaves the shrink as it is") {
   const Experiment experiment = blank_experiment({16, 16});
   const Measurements measurements(experiment);
-  const std::vector<double> before = by_series(measurements, {5, 5, 10, 10}),
-                            after = by_series(measurements, {1, 1, 1, 1});
-  NoiseModel noise;
-  noise.correlation.fill(0.5);  // of squares a quarter
+  const NoiseEstimate noise = declared_noise(measurements);
+  const VectorXd before = by_series(measurements, {5, 10, 5, 10}), after = by_series(measurements, {1, 1, 1, 1});
   const Shrink shrink = measure_shrink(measurements, whole_run(experiment, 1), before, after, noise);
-  CHECK(shrink.independent == close_to(32 * 0.75 / 1.25));
   // of blocks that all leave a tenth no draw leaves more or less
   CHECK(shrink.ratio == close_to(0.1));
   CHECK(shrink.ratio_low == close_to(0.1));
   CHECK(shrink.ratio_high == close_to(0.1));
   // two blocks of each channel that leave 1 and 3 of ten
-  std::vector<double> uneven = after;
-  for (const std::size_t s : {2U, 3U})
-    for (std::size_t i = 8; i < 16; ++i) uneven[measurements.series()[s].first + i] *= 3;
+  VectorXd uneven = after;
+  for (const std::size_t s : {1U, 3U})
+    uneven.segment(static_cast<Eigen::Index>(measurements.series()[s].first) + 8, 8) *= 3;
   const Shrink ragged = measure_shrink(measurements, whole_run(experiment, 1), before, uneven, noise);
   const ChannelShrink& force = ragged.channels.at({Channel::Name::Fx});
   CHECK(force.ratio == close_to(std::sqrt(0.05)));
@@ -103,39 +116,25 @@ TEST_CASE("held-out values count as those that do not correlate; none leave the 
   CHECK(force.ratio_high == close_to(0.3));
   const Shrink none = measure_shrink(measurements, nothing_held(experiment), before, after, noise);
   CHECK(none.ratio == 1);
-  CHECK(none.independent == 0);
   CHECK(none.channels.empty());
   CHECK(none.rms_before.empty());
 }
 
-TEST_CASE("an isolated outlier among the held-out readings counts neither before nor after") {
+TEST_CASE("an outlier among the held-out readings counts neither before nor after") {
   const Experiment experiment = blank_experiment({9, 9});
   const Measurements measurements(experiment);
-  std::vector<double> before = by_series(measurements, {5, 5, 10, 10}),
-                      after = by_series(measurements, {1, 1, 1, 1});
-  const std::size_t bad = measurements.series()[2].first + 4;
-  before[bad] += 40;
-  after[bad] += 40;
-  const Shrink shrink = measure_shrink(measurements, whole_run(experiment, 1), before, after, {});
+  VectorXd before = by_series(measurements, {5, 10, 5, 10}), after = by_series(measurements, {1, 1, 1, 1});
+  const std::size_t bad = measurements.series()[1].first + 4;
+  before(static_cast<Eigen::Index>(bad)) += 40;
+  after(static_cast<Eigen::Index>(bad)) += 40;
+  NoiseEstimate noise = declared_noise(measurements);
+  noise.shape.outlier[bad] = true;
+  const Shrink shrink = measure_shrink(measurements, whole_run(experiment, 1), before, after, noise);
   CHECK(shrink.ratio == close_to(0.1));
-  CHECK(shrink.left_out == 1);
+  CHECK(shrink.outliers == 1);
   // 18 values, of which one is 50 before and 41 after
-  CHECK(shrink.ratio_with_left_out == close_to(std::sqrt((17 + 41 * 41) / (1700.0 + 50 * 50))));
-  CHECK(measure_shrink(measurements, whole_run(experiment, 0), before, after, {}).left_out == 0);
-}
-
-TEST_CASE("what a prediction misses for a few readings in all that measures it counts in the shrink") {
-  const Experiment experiment = blank_experiment({40, 40});
-  const Measurements measurements(experiment);
-  std::vector<double> before = by_series(measurements, {10, 10, 10, 10}),
-                      after = by_series(measurements, {1, 1, 1, 1});
-  // five readings of the second run, this way and that
-  for (const std::size_t series : {2U, 3U})
-    for (std::size_t i = 20; i < 25; ++i)
-      after[measurements.series()[series].first + i] = i % 2 == 0 ? 40 : -40;
-  const Shrink shrink = measure_shrink(measurements, whole_run(experiment, 1), before, after, {});
-  CHECK(shrink.left_out == 0);
-  CHECK(shrink.ratio == close_to(std::sqrt((70 + 10 * 1600) / 8000.0)));
+  CHECK(shrink.ratio_with_outliers == close_to(std::sqrt((17 + 41 * 41) / (1700.0 + 50 * 50))));
+  CHECK(measure_shrink(measurements, whole_run(experiment, 0), before, after, noise).outliers == 0);
 }
 
 TEST_CASE("bounds of the shrink: 1.96 deviations of the ratio of white noise to a constant gap") {
@@ -147,9 +146,10 @@ TEST_CASE("bounds of the shrink: 1.96 deviations of the ratio of white noise to 
     double below = 0, above = 0;
     constexpr int draws = 20;
     for (int draw = 0; draw < draws; ++draw) {
-      const std::vector<double> after = correlated_noise(measurements, 1, correlation, random);
-      const std::vector<double> before(measurements.size(), 10.0);
-      const Shrink shrink = measure_shrink(measurements, whole_run(experiment, 0), before, after, {});
+      const VectorXd after = correlated_noise(measurements, 1, correlation, random);
+      const VectorXd before = VectorXd::Constant(after.size(), 10);
+      const Shrink shrink =
+          measure_shrink(measurements, whole_run(experiment, 0), before, after, declared_noise(measurements));
       below += (shrink.ratio - shrink.ratio_low) / shrink.ratio / draws;
       above += (shrink.ratio_high - shrink.ratio) / shrink.ratio / draws;
     }

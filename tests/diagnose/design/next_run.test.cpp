@@ -26,24 +26,12 @@ Experiment along_x() {
   return experiment;
 }
 
-/// White noise of the declared size.
-NoiseEstimate as_declared(const Study& study) {
-  NoiseEstimate noise{{}, NoiseShape(study.measurements())};
-  for (const Block& block : study.measurements().blocks()) noise.channels.push_back({block.channel, 1, 0, 1});
-  return noise;
-}
-
-ChannelNoise& noise_of(NoiseEstimate& noise, Channel::Name name) {
-  return *std::find_if(noise.channels.begin(), noise.channels.end(),
-                       [&](const ChannelNoise& one) { return one.channel.name == name; });
-}
-
 }  // namespace
 
 TEST_CASE(
     "a weight at the tip and a tare error are one and the same until the rig is turned out of gravity") {
   const Study study(measured(along_x(), only("tip_payload"), {0.3}, 37));
-  const NoiseEstimate noise = as_declared(study);
+  const NoiseEstimate noise = declared_noise(study);
   const Hypothesis payload = fit_in_white_noise(study, only("tip_payload")),
                    bias = fit_in_white_noise(study, only("force_bias"));
   // The tare error imitates the weight exactly; the weight misses what noise gives b_x: one free parameter,
@@ -66,7 +54,7 @@ TEST_CASE("the lead that a proposal promises is the lead that the run gives") {
   const Study first(measured(along_x(), truth, {0.004}, 41));
   const Proposal best =
       next_runs(first, {fit_in_white_noise(first, truth), fit_in_white_noise(first, hypothesis)},
-                as_declared(first), 1)
+                declared_noise(first), 1)
           .at(0);
 
   Experiment longer = along_x();
@@ -94,7 +82,7 @@ TEST_CASE("nothing is proposed that asks too much of the rig") {
   double force = 0, needed = 0;
   for (const Trace& trace : study.nominal().runs)
     force = std::max(force, trace.col(column_Fx).abs().maxCoeff());
-  for (const Proposal& one : next_runs(study, {gain, stiff}, as_declared(study), 1000)) {
+  for (const Proposal& one : next_runs(study, {gain, stiff}, declared_noise(study), 1000)) {
     Experiment bench = study.experiment();
     bench.runs = {one.run};
     const Prediction predicted = predict(Study(bench), gain.candidate, gain.parameters);
@@ -125,7 +113,7 @@ TEST_CASE("no run is proposed in which an explanation snaps") {
     for (const CandidateRun& one : runs_from(study.experiment(), shape, operating_envelope(study)))
       feasible += snaps(one.run);
   REQUIRE(feasible > 0);
-  const std::vector<Proposal> proposals = next_runs(study, hypotheses, as_declared(study), 1000);
+  const std::vector<Proposal> proposals = next_runs(study, hypotheses, declared_noise(study), 1000);
   REQUIRE_FALSE(proposals.empty());
   for (const Proposal& one : proposals) CHECK_FALSE(snaps(one.run));
 }
@@ -134,9 +122,9 @@ TEST_CASE(
     "what a proposal says of the gap is what the best explanation leaves to the nominal model, and goes "
     "first") {
   const Study study(measured(along_x(), only("rest_angle", 1), {0.004}, 41));
-  NoiseEstimate noise = as_declared(study);
-  noise_of(noise, Channel::Name::Fx).scale = 2;
-  noise_of(noise, Channel::Name::Fy).scale = 0.5;
+  NoiseEstimate noise = declared_noise(study);
+  noise_of(noise, {Channel::Name::Fx}).scale = 2;
+  noise_of(noise, {Channel::Name::Fy}).scale = 0.5;
   const std::vector<Hypothesis> hypotheses{fit_in_white_noise(study, only("rest_angle", 1)),
                                            fit_in_white_noise(study, only("joint_stiffness", 2))};
   const auto gap_of = [&](const Proposal& one) {
@@ -180,7 +168,7 @@ TEST_CASE("out of gravity a chain and its mirror image tell as much, in gravity 
   const std::vector<Hypothesis> hypotheses{fit_in_white_noise(study, only("force_gain")),
                                            fit_in_white_noise(study, only("stiffness_scale"))};
   std::map<std::pair<bool, std::string>, std::vector<double>> promised;
-  for (const Proposal& one : next_runs(study, hypotheses, as_declared(study), 1000)) {
+  for (const Proposal& one : next_runs(study, hypotheses, declared_noise(study), 1000)) {
     std::string what = one.description;
     if (const std::size_t at = what.find("mirrored "); at != what.npos) what.erase(at, 9);
     promised[{one.out_of_gravity, what}].push_back(one.log_odds);
@@ -204,7 +192,7 @@ TEST_CASE("joint angles are an extra only where the bench does not read them") {
     const std::vector<Hypothesis> hypotheses{fit_in_white_noise(study, only("force_gain")),
                                              fit_in_white_noise(study, only("joint_stiffness", 1))};
     std::size_t extras = 0;
-    const std::vector<Proposal> proposals = next_runs(study, hypotheses, as_declared(study), 1000);
+    const std::vector<Proposal> proposals = next_runs(study, hypotheses, declared_noise(study), 1000);
     REQUIRE_FALSE(proposals.empty());
     for (const Proposal& one : proposals) {
       if (reads) CHECK(one.angles);
@@ -223,7 +211,7 @@ TEST_CASE("what a run is expected to show is counted in the noise as it is, chan
   const auto leads = [](const Experiment& declared, const std::vector<Hypothesis>& hypotheses,
                         const auto& change) {
     const Study bench(declared);
-    NoiseEstimate noise = as_declared(bench);
+    NoiseEstimate noise = declared_noise(bench);
     change(noise);
     std::vector<double> result;
     for (const Proposal& one : next_runs(bench, hypotheses, noise, 1000))
@@ -248,7 +236,7 @@ TEST_CASE("what a run is expected to show is counted in the noise as it is, chan
     const std::vector<double> by_declaration = leads(louder, in_louder, nothing);
     const std::vector<double> by_finding =
         leads(experiment, as_found,
-              [&, channel = name](NoiseEstimate& found) { noise_of(found, channel).scale = 2; });
+              [&, channel = name](NoiseEstimate& found) { noise_of(found, {channel}).scale = 2; });
     REQUIRE(by_declaration.size() == plain.size());
     REQUIRE(by_finding.size() == plain.size());
     CHECK(by_finding.back() != close_to(plain.back()).epsilon(1e-3));
@@ -265,7 +253,7 @@ TEST_CASE("noise that remembers hides what changes slowly, in a run to come as i
   const std::vector<Hypothesis> hypotheses{fit_in_white_noise(study, only("rest_angle", 1)),
                                            fit_in_white_noise(study, only("joint_stiffness", 2))};
   const auto most_shown = [&](double correlation) {
-    NoiseEstimate noise = as_declared(study);
+    NoiseEstimate noise = declared_noise(study);
     for (ChannelNoise& one : noise.channels) one.correlation = correlation;
     double most = 0;
     for (const Proposal& one : next_runs(study, hypotheses, noise, 1000))

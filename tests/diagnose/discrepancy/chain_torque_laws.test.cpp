@@ -79,7 +79,7 @@ TEST_CASE("what a joint carries along a run has what the nominal model knows of 
   none.stiffness = experiment.joint_stiffness[1];
   none.span = {-1, 1, 100};
   none.coefficients = Eigen::VectorXd::Zero(law_terms_count);
-  const std::vector<LawTrace> traces = law_traces(study, TorqueLaw{{}, {none}, {3}, 1});
+  const std::vector<LawTrace> traces = law_traces(study, TorqueLaw{{none}, {3}, 1});
   REQUIRE(traces.size() == experiment.runs.size());
   // The same joint by statics: the moment of the end point's force about it.
   const std::vector<double>& length = experiment.link_length;
@@ -99,15 +99,14 @@ TEST_CASE(
     "joints that have each a law of its own are each given one, fitted to the chain that has all of them") {
   const auto truth = [](const Study& study) {
     const std::vector<double>& k = study.experiment().joint_stiffness;
-    return TorqueLaw{{},
-                     {law_of({1}, k[0], [&](double d) { return k[0] * d * d * d; }),
+    return TorqueLaw{{law_of({1}, k[0], [&](double d) { return k[0] * d * d * d; }),
                       law_of({2}, k[1], [&](double d) { return -0.2 * k[1] * d; }),
                       law_of({3}, k[2], [&](double d) { return 0.15 * k[2] * std::abs(d); })},
                      {finest_knots},
                      1};
   };
   const Study study(pressed_with(truth, 4));
-  const auto found = fit_torque_law(study, NoiseModel(), {});
+  const auto found = fit_torque_law(study, declared_noise(study));
   REQUIRE(found);
   REQUIRE(found->laws.size() == 3);
   for (std::size_t j = 0; j < 3; ++j) {
@@ -128,7 +127,7 @@ TEST_CASE(
   }
   check_carried(study, *found, truth(study));
   const auto values = static_cast<double>(study.measurements().size());
-  CHECK(left_with(study, NoiseModel(), *found) < values + 5 * std::sqrt(2 * values));
+  CHECK(left_with(study, declared_noise(study), *found) < values + 5 * std::sqrt(2 * values));
 }
 
 TEST_CASE(
@@ -137,34 +136,33 @@ TEST_CASE(
   for (const std::vector<std::size_t>& joints : {std::vector<std::size_t>{1, 2, 3}, {2}}) {
     const double stiffness = joints.size() == 3 ? (2 + 1.5 + 1) / 3 : 1.5;
     const auto truth = [&](const Study&) {
-      return TorqueLaw{{},
-                       {law_of(joints, stiffness, [&](double d) { return stiffness * d * d * d; })},
+      return TorqueLaw{{law_of(joints, stiffness, [&](double d) { return stiffness * d * d * d; })},
                        {finest_knots},
                        1};
     };
     const Study study(pressed_with(truth, 5));
-    const auto found = fit_torque_law(study, NoiseModel(), {});
+    const auto found = fit_torque_law(study, declared_noise(study));
     REQUIRE(found);
     REQUIRE(found->laws.size() == 1);
     CHECK(found->laws[0].joints == joints);
     CHECK(found->laws[0].stiffness == close_to(stiffness).epsilon(1e-12));
     check_carried(study, *found, truth(study));
     const double values = values_of(study);
-    CHECK(left_with(study, NoiseModel(), *found) < values + 5 * std::sqrt(2 * values));
+    CHECK(left_with(study, declared_noise(study), *found) < values + 5 * std::sqrt(2 * values));
   }
 }
 
 TEST_CASE(
     "joints that share a loop over a part of the way share its profile, which laws of their own have not") {
   const auto truth = [](const Study&) {
-    TorqueLaw law{{}, {law_of({1, 2, 3}, 1.5, [](double) { return 0.0; })}, {finest_knots}, 1};
+    TorqueLaw law{{law_of({1, 2, 3}, 1.5, [](double) { return 0.0; })}, {finest_knots}, 1};
     for (Eigen::Index k = 0; k < profile_knots; ++k)
       law.laws[0].coefficients(plain_terms + k) =
           0.15 * std::exp(-std::pow((knot_place(law.laws[0].span, 2 * k) - 0.3) / 0.2, 2));
     return law;
   };
   const Study study(pressed_with(truth, 6));
-  const auto found = fit_torque_law(study, NoiseModel(), {});
+  const auto found = fit_torque_law(study, declared_noise(study));
   REQUIRE(found);
   REQUIRE(found->laws.size() == 1);
   CHECK(found->laws[0].joints == std::vector<std::size_t>{1, 2, 3});

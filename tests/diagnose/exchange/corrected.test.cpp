@@ -53,9 +53,8 @@ TEST_CASE("an effect of the user's goes by its id into our own format, and into 
   CHECK_FALSE(written(model, Format::urdf).effects.front().carried);
   // a file a candidate, by a name that every system allows
   diagnosis.cause.verdict = diagnose::CauseVerdict::ambiguous;
-  diagnosis.cause.ranking.front().hypothesis.fit.parameters = {0.1};
   diagnosis.cause.ranking.push_back(diagnosis.cause.ranking.front());
-  diagnosis.cause.equivalent = {1};
+  diagnosis.cause.named = 2;
   CHECK(corrected_models(study, diagnosis).front().cause == "user-sag");
 }
 
@@ -126,11 +125,9 @@ TEST_CASE("an ambiguous cause gives a file a candidate, an unknown one the nomin
   const Study study(full_bench());
   diagnose::Diagnosis diagnosis = found(study, {"rest_angle", 1}, {0.05});
   diagnosis.cause.verdict = diagnose::CauseVerdict::ambiguous;
-  diagnose::Ranked other{};
-  other.hypothesis.fit.candidate = {{{"backlash", 1}, {"gravity"}}};
-  other.hypothesis.fit.parameters = {0.05, 0.1};
-  diagnosis.cause.ranking.push_back(other);
-  diagnosis.cause.equivalent = {1};
+  diagnosis.cause.ranking.push_back(test::ranked({{{"backlash", 1}, {"gravity"}}}, {0.05, 0.1}));
+  diagnosis.cause.ranking.push_back(test::ranked({{"force_gain"}}, {0.1}));  // too improbable to be named
+  diagnosis.cause.named = 2;
   const auto models = corrected_models(study, diagnosis);
   REQUIRE(models.size() == 2);
   CHECK(models[0].cause == "rest_angle-1");

@@ -17,14 +17,22 @@ inline std::vector<double> sizeable(const Study& study, const EffectAt& at) {
   return values;
 }
 
+/// A cause with these values, in fitted coordinates.
+inline diagnose::RankedCause ranked(const diagnose::Candidate& candidate, const std::vector<double>& parameters) {
+  diagnose::RankedCause cause{};
+  cause.hypothesis.candidate = cause.cause = candidate;
+  cause.hypothesis.parameters = parameters;
+  return cause;
+}
+
 /// A diagnosis that found this.
 inline diagnose::Diagnosis found(const Study& study, const EffectAt& at,
                                  const std::vector<double>& parameters) {
-  diagnose::Diagnosis diagnosis;
+  diagnose::Diagnosis diagnosis{study.experiment().name, {}, {}, {}, diagnose::test::declared_noise(study), {}, {}, {},
+                                false, {}, {}, {}};
   diagnosis.cause.verdict = diagnose::CauseVerdict::identified;
-  diagnose::Ranked ranked{};
-  ranked.hypothesis.fit.candidate = {{at}};
-  diagnosis.cause.ranking.push_back(ranked);
+  diagnosis.cause.ranking.push_back(ranked({{at}}, parameters));
+  diagnosis.cause.named = 1;
   diagnosis.estimates.emplace_back();
   std::size_t p = 0;
   for (const diagnose::ParameterRange& range : study.ranges(at)) {

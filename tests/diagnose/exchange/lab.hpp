@@ -155,19 +155,19 @@ inline RoundTrip round_trip(const Lab& lab, const Experiment& bench, const Predi
   const Study study(diagnose::read_experiment(lab.folder.path(), &nominal));
   RoundTrip trip{diagnose::diagnose(study)};
   trip.before = trip.after = rms(study.nominal_residual());
-  const auto left_there = [&](const std::vector<double>& left) {
+  const auto left_there = [&](const Eigen::VectorXd& left) {
     const diagnose::HeldOut heldout = named(study.experiment(), trip.diagnosis.shrink->heldout);
     return measure_shrink(study.measurements(), heldout, study.nominal_residual(), left, trip.diagnosis.noise)
-        .ratio_with_left_out;
+        .ratio_with_outliers;
   };
-  if (const auto& shrink = trip.diagnosis.shrink) trip.reported = shrink->ratio_with_left_out;
+  if (const auto& shrink = trip.diagnosis.shrink) trip.reported = shrink->ratio_with_outliers;
   // The law of the report is fitted to all readings, unlike those that its shrink is measured with.
   if (trip.diagnosis.offers_law())
     trip.reported = left_there(study.residual(predict_with_law(study, trip.diagnosis.law->law)));
   for (const Corrected& one : corrected_models(study, trip.diagnosis, model)) {
     const Prediction corrected =
         in_mujoco(written(one.model, Format::mjcf).text, study.experiment(), pace_of(one.model, pace));
-    const std::vector<double> left = study.residual(corrected);
+    const Eigen::VectorXd left = study.residual(corrected);
     trip.after = std::min(trip.after, rms(left));
     if (!trip.diagnosis.shrink) continue;
     trip.mujoco = std::min(trip.mujoco, left_there(left));

@@ -58,10 +58,7 @@ TEST_CASE("several effects of the bench at once, and of the chain, in one file")
   const Study study(experiment);
   Model model{"all at once", experiment, {}};
   const Prediction in_file = test::in_mujoco(model, test::Pace::at_rest);
-  std::vector<double> difference = study.residual(in_file);
-  const std::vector<double> nominal = study.nominal_residual();
-  for (std::size_t i = 0; i < difference.size(); ++i) difference[i] -= nominal[i];
-  CHECK(test::rms(difference) < 0.5);
+  CHECK(test::apart(study, in_file, study.nominal()) < 0.5);
 }
 
 TEST_CASE("what MJCF cannot carry stands in it as numbers that MuJoCo reads") {
@@ -124,10 +121,7 @@ TEST_CASE("a free torque law goes into MJCF, whatever its shape, and on beyond i
     const Study study(experiment);
     const Prediction in_file =
         test::in_mujoco(model, sliders.empty() ? test::Pace::at_rest : test::Pace::interpolated);
-    std::vector<double> difference = study.residual(in_file);
-    const std::vector<double> nominal = study.nominal_residual();
-    for (std::size_t i = 0; i < difference.size(); ++i) difference[i] -= nominal[i];
-    CHECK(test::rms(difference) < 0.5);
+    CHECK(test::apart(study, in_file, study.nominal()) < 0.5);
     CHECK((study.nominal().runs.front().col(diagnose::column_q + 1) + 0.5).abs().maxCoeff() > 0.15);
   }
 }

@@ -31,6 +31,14 @@ inline bool takes_time(const EffectAt& at) {
   return pace_of(at.effect->id) == Pace::by_the_clock;
 }
 
+/// As what a format carries the effect, or why not.
+inline Way way_of(const Study& study, Format format, const EffectAt& at) {
+  diagnose::NominalEffect effect{at.effect->id, at.joint, {}};
+  for (const diagnose::ParameterRange& range : study.ranges(at))
+    effect.parameters[std::string(range.name)] = range.scale;
+  return exchange::way_of(format, effect);
+}
+
 /// Each row once, at the joint in the middle of three where it has one.
 inline std::vector<EffectAt> rows(const Study& study) {
   std::vector<EffectAt> all;
@@ -47,7 +55,7 @@ inline std::vector<EffectAt> carried(const Study& study, Format format, std::siz
   std::vector<EffectAt> taken;
   std::size_t count = 0;
   for (const EffectAt& at : rows(study)) {
-    if (!way_of(format, at.effect->id).carried) continue;
+    if (!way_of(study, format, at).carried) continue;
     if (const std::size_t number = count++; all || number % 3 == first) taken.push_back(at);
   }
   return taken;
@@ -75,18 +83,13 @@ inline Experiment bench_for(const EffectAt& at) {
   return experiment;
 }
 
-inline double rms(const std::vector<double>& values) {
-  double sum = 0;
-  for (const double value : values) sum += value * value;
-  return std::sqrt(sum / static_cast<double>(values.size()));
+inline double rms(const Eigen::VectorXd& values) {
+  return std::sqrt(values.squaredNorm() / static_cast<double>(values.size()));
 }
 
 /// Root mean square of what two predictions differ by, in standard deviations of the noise.
 inline double apart(const Study& study, const Prediction& a, const Prediction& b) {
-  std::vector<double> one = study.residual(a);
-  const std::vector<double> other = study.residual(b);
-  for (std::size_t i = 0; i < one.size(); ++i) one[i] -= other[i];
-  return rms(one);
+  return rms(study.residual(a) - study.residual(b));
 }
 
 /// As much of the effect as nobody would miss.
@@ -96,12 +99,7 @@ inline std::vector<double> amount_of(const Study& study, const EffectAt& at) {
     for (std::size_t tau = 1; tau < amount.size(); tau += 2) amount[tau] += std::log(slowness);
     return amount;
   }
-  const std::vector<double> nominal = study.nominal_residual();
-  const auto moved = [&] {
-    std::vector<double> difference = study.residual(predict(study, {{at}}, amount));
-    for (std::size_t i = 0; i < difference.size(); ++i) difference[i] -= nominal[i];
-    return rms(difference);
-  };
+  const auto moved = [&] { return apart(study, predict(study, {{at}}, amount), study.nominal()); };
   constexpr double plain = 6;
   while (moved() < plain)
     for (double& value : amount) value *= 2;

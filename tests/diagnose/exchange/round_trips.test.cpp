@@ -19,8 +19,7 @@ std::string replaced(std::string text, const std::string& one, const std::string
 }
 
 std::string named(const RoundTrip& trip) {
-  const diagnose::Cause& cause = trip.diagnosis.cause;
-  return cause.ranking[cause.best].hypothesis.fit.candidate.label();
+  return trip.diagnosis.cause.ranking.front().cause.label();
 }
 
 /// Noise has size one. What joints at rest add to it is less than half of it. On the way damping drags beside

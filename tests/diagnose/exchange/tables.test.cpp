@@ -15,8 +15,8 @@ namespace {
 using namespace plumbline::exchange;
 using plumbline::diagnose::EffectAt, plumbline::diagnose::Study;
 
-std::string cell(Format format, std::string_view effect) {
-  const Way way = way_of(format, effect);
+std::string cell(const Study& study, Format format, const EffectAt& at) {
+  const Way way = test::way_of(study, format, at);
   return fmt::format("{}{}", way.carried ? "" : "no: ", way.how);
 }
 
@@ -24,7 +24,7 @@ std::string verdict(const plumbline::diagnose::Diagnosis& diagnosis) {
   std::string words = verdict_word(diagnosis.cause.verdict);
   if (!diagnosis.cause.ranking.empty() &&
       diagnosis.cause.verdict != plumbline::diagnose::CauseVerdict::unknown)
-    words += ": `" + diagnosis.cause.ranking[diagnosis.cause.best].hypothesis.fit.candidate.label() + "`";
+    words += ": `" + diagnosis.cause.ranking.front().cause.label() + "`";
   return words;
 }
 
@@ -33,9 +33,9 @@ std::string ways() {
   const Study study(plumbline::diagnose::test::full_bench());
   std::string table = "| effect | MJCF | SDF | URDF |\n|---|---|---|---|\n";
   for (const EffectAt& at : test::rows(study)) {
-    const std::string mjcf = cell(Format::mjcf, at.effect->id), sdf = cell(Format::sdf, at.effect->id),
-                      urdf = cell(Format::urdf, at.effect->id);
-    table += fmt::format("| `{}` | {} | {} | {} |\n", at.label(), mjcf, sdf == mjcf ? "the same" : sdf,
+    const std::string mjcf = cell(study, Format::mjcf, at), sdf = cell(study, Format::sdf, at),
+                      urdf = cell(study, Format::urdf, at);
+    table += fmt::format("| `{}` | {} | {} | {} |\n", at.name(), mjcf, sdf == mjcf ? "the same" : sdf,
                          urdf == sdf ? "the same" : urdf);
   }
   return table;
@@ -56,8 +56,9 @@ TEST_CASE("the tables measured anew" * doctest::skip()) {
       "in "
       "MuJoCo |\n|---|---|---|---|---|---|---|---|---|\n");
   const test::Lab lab, fine(40);
-  for (const EffectAt& at : test::rows(Study(lab.experiment))) {
-    if (!way_of(Format::mjcf, at.effect->id).carried) continue;
+  const Study of_lab(lab.experiment);
+  for (const EffectAt& at : test::rows(of_lab)) {
+    if (!test::way_of(of_lab, Format::mjcf, at).carried) continue;
     const test::Residuals left = test::residuals(at);
     const test::Lab& own = at.effect->id == "sensor_lag" ? fine : lab;
     const Study bare(test::bench_in(own, at));

@@ -54,20 +54,15 @@ void check_agrees(const RoundTrip& trip) {
   CAPTURE(trip.after);
   REQUIRE(trip.diagnosis.law);
   CAPTURE(trip.diagnosis.law->pictures.front().words);
-  CAPTURE(trip.diagnosis.law->law.base.candidate.label());
   CHECK(trip.diagnosis.cause.verdict == CauseVerdict::unknown);
   CHECK(trip.before > 5);
   CHECK(trip.reported < 0.3);
   // What joints at rest, and what slips on its way, add to the noise is less than half of it.
-  // Beside what slips, in the law or its base, damping drags, as it does in round trips of dry friction: 0.06
+  // Beside what slips, damping drags, as it does in round trips of dry friction: 0.06
   // of the gap.
-  const auto& base = trip.diagnosis.law->law.base.candidate.effects;
   const auto& pictures = trip.diagnosis.law->pictures;
   const bool slips =
-      std::any_of(pictures.begin(), pictures.end(), [](const auto& one) { return !one.sliders.empty(); }) ||
-      std::any_of(base.begin(), base.end(), [](const diagnose::EffectAt& at) {
-        return test::pace_of(at.effect->id) == Pace::interpolated;
-      });
+      std::any_of(pictures.begin(), pictures.end(), [](const auto& one) { return !one.sliders.empty(); });
   const double added = 0.5 / trip.before, drag = slips ? 0.06 : 0;
   CHECK(std::abs(trip.mujoco - trip.reported) < 0.1 * trip.reported + added + drag);
 }
@@ -112,8 +107,8 @@ TEST_CASE("a law that slips, at a constant torque or at one that grows, is in Mu
         {2, {{-0.3, -0.05}, {0, 0}, {0.1, 0.1}, {0.4, 0}}, {{0.013, 0.02, 0}, widest}, {}}};
     const Prediction done = in_mujoco(written(truth, Format::mjcf).text, lab.experiment, Pace::interpolated);
     const Study study(test::read_with_noise(lab.experiment, done, 6));
-    const std::optional<diagnose::OfferedLaw> offered =
-        diagnose::offer_law(study, diagnose::NoiseModel(), [](const Study&) { return diagnose::Instance(); });
+    const diagnose::NoiseEstimate noise = diagnose::test::declared_noise(study);
+    const std::optional<diagnose::OfferedLaw> offered = diagnose::offer_law(study, noise);
     REQUIRE(offered);
     REQUIRE(offered->shrink);
     CHECK_FALSE(offered->pictures.front().sliders.empty());
@@ -124,7 +119,7 @@ TEST_CASE("a law that slips, at a constant torque or at one that grows, is in Mu
     const diagnose::HeldOut heldout = diagnose::named(study.experiment(), offered->shrink->heldout);
     const auto left = [&](const Prediction& prediction) {
       return measure_shrink(study.measurements(), heldout, study.nominal_residual(),
-                            study.residual(prediction), diagnose::NoiseModel())
+                            study.residual(prediction), noise)
           .ratio;
     };
     const double said = left(predict_with_law(study, offered->law));

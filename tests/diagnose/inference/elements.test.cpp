@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnose/beliefs.hpp"
+#include "diagnose/inference/prior.hpp"
 #include "diagnose/inference/search.hpp"
+#include "diagnose/inference/start.hpp"
+#include "diagnose/priors.hpp"
 #include "diagnose/rig/nominal.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
@@ -21,11 +23,11 @@ EffectAt hysteresis(std::size_t elements, std::size_t joint = 0) {
   return {*effect("hysteresis", joint).orders().at(elements - 1), joint};
 }
 
-Fit standing_at(const Candidate& candidate, std::vector<double> parameters) {
-  Fit fit;
-  fit.candidate = candidate;
-  fit.parameters = std::move(parameters);
-  return fit;
+Hypothesis standing_at(const Candidate& candidate, std::vector<double> parameters) {
+  Hypothesis hypothesis;
+  hypothesis.candidate = candidate;
+  hypothesis.parameters = std::move(parameters);
+  return hypothesis;
 }
 
 /// Elements of equal strength that yield one after the other, each at two and a half times the turn of the
@@ -85,9 +87,9 @@ TEST_CASE("elements that yield together are one of their strengths together") {
 
 TEST_CASE("a step to one element fewer joins two neighbours, and leaves what stands beside alone") {
   const Study study(test::full_bench());
-  const Fit fitted =
+  const Hypothesis fitted =
       standing_at({{"force_gain", hysteresis(3), "force_bias"}}, {0.1, 0.2, 0.4, 0.3, 0.1, 0.6, 0.2, 1, 2});
-  const InitialGuesses fewer = in_number(study, fitted, 1, *hysteresis(2).effect);
+  const InitialGuesses fewer = initial_guesses_of_order(study, fitted, 1, *hysteresis(2).effect);
   // In the order of their turns 0.1, 0.2, 0.4; of two the turn in the middle, by strength.
   const std::vector<std::vector<double>> expected{{0.1, 0.9, (0.3 * 0.1 + 0.6 * 0.2) / 0.9, 0.2, 0.4, 1, 2},
                                                   {0.1, 0.3, 0.1, 0.8, (0.6 * 0.2 + 0.2 * 0.4) / 0.8, 1, 2}};
@@ -101,8 +103,8 @@ TEST_CASE("a step to one element fewer joins two neighbours, and leaves what sta
 
 TEST_CASE("a step to one element more adds a weak one, before, between and after those that there are") {
   const Study study(test::full_bench());
-  const Fit fitted = standing_at({{hysteresis(2, 1), "force_gain"}}, {0.3, 0.1, 0.6, 0.02, 7});
-  const InitialGuesses more = in_number(study, fitted, 0, *hysteresis(3, 1).effect);
+  const Hypothesis fitted = standing_at({{hysteresis(2, 1), "force_gain"}}, {0.3, 0.1, 0.6, 0.02, 7});
+  const InitialGuesses more = initial_guesses_of_order(study, fitted, 0, *hysteresis(3, 1).effect);
   REQUIRE(more.points.size() == 3);
   const double weak = 0.05;
   std::vector<double> added;
@@ -126,7 +128,7 @@ TEST_CASE("each element more is half as common") {
   const Study study(test::full_bench());
   for (std::size_t elements = 1; elements < 5; ++elements)
     CHECK(log_prior(study, {{hysteresis(elements + 1, 2)}}) - log_prior(study, {{hysteresis(elements, 2)}}) ==
-          close_to(std::log(beliefs::one_more_element)));
+          close_to(std::log(priors::one_more_element)));
 }
 
 TEST_CASE("a nominal model has as many elements as are named") {
@@ -148,7 +150,6 @@ TEST_CASE("a search finds how many elements there are" * doctest::test_suite("lo
   for (std::size_t elements = 1; elements <= 5; ++elements) {
     CAPTURE(elements);
     const Study study(test::measured(fine_bench(), {{hysteresis(elements)}}, elements_of(elements), 5));
-    const Fit found = search(study).hypotheses.front().fit;
-    CHECK(found.candidate == Candidate{{hysteresis(elements)}});
+    CHECK(search(study).hypotheses.front().candidate == Candidate{{hysteresis(elements)}});
   }
 }

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "diagnose/answers/diagnosis.hpp"
-#include "diagnose/noise/gap.hpp"
 #include "tests/diagnose/bench.hpp"
 
 using namespace plumbline;
@@ -28,9 +27,7 @@ std::vector<double> leaning(double sign) {
 }
 
 double mean_square(const Study& study, const Prediction& predicted) {
-  double sum = 0;
-  for (const double z : study.residual(predicted)) sum += z * z;
-  return sum / static_cast<double>(study.measurements().size());
+  return study.residual(predicted).squaredNorm() / static_cast<double>(study.measurements().size());
 }
 
 /// How far beside its line the column's end lies at the last reading.
@@ -61,7 +58,7 @@ TEST_CASE("a diagnosis says which run is on a side of its own, and finds what be
   CHECK(diagnosis.gap.other_branch[0].run == "load-1");
   CHECK(diagnosis.gap.other_branch[0].reading == study.experiment().runs[0].branch->first());
   REQUIRE(diagnosis.cause.verdict != CauseVerdict::unknown);
-  CHECK(diagnosis.cause.ranking[diagnosis.cause.best].hypothesis.fit.candidate == only("rest_spread"));
+  CHECK(diagnosis.cause.ranking.front().cause == only("rest_spread"));
 }
 
 TEST_CASE("what explains the readings does so on their side as by itself") {
@@ -140,11 +137,12 @@ TEST_CASE("a nearly symmetric chain that goes to the other side shows no gap the
   }();
   Experiment bare = read;
   bare.runs[0].branch.reset();
-  CHECK(test_gap(Study(bare).measurements(), Study(bare).nominal_residual()).p_value < 1e-12);
+  CHECK(mean_square(Study(bare), Study(bare).nominal()) > 100);
   const Study study(on_observed_branches(Study(bare)));
   REQUIRE(study.experiment().runs[0].branch);
   CHECK(study.experiment().runs[0].branch->first() == 2);
-  CHECK(test_gap(study.measurements(), study.nominal_residual()).p_value > 0.01);
+  const auto values = static_cast<double>(study.measurements().size());
+  CHECK(mean_square(study, study.nominal()) < 1 + 5 * std::sqrt(2 / values));
 }
 
 TEST_CASE("readings that an effect moves, and not a side, set none") {

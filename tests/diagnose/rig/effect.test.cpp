@@ -73,6 +73,17 @@ TEST_CASE("every row is found by its id, and nothing else is") {
   CHECK_THROWS_AS((void)effect("elbow grease"), Error);
 }
 
+TEST_CASE("people are told of which form an effect is, files are not") {
+  CHECK(EffectAt("joint_stops").name() == "joint_stops");
+  CHECK(EffectAt(other_form("joint_stops")).name() == "joint_stops (each its own)");
+  CHECK(EffectAt(other_form("asymmetric_spring")).name() == "asymmetric_spring (each its own)");
+  CHECK(EffectAt("joint_friction").name() == "joint_friction");
+  const EffectAt gives(other_form("joint_friction"));
+  CHECK(gives.name() == "joint_friction (gives before it slips)");
+  CHECK(gives.label() == "joint_friction");
+  CHECK(EffectAt("backlash", 2).name() == "backlash(2)");
+}
+
 TEST_CASE("fitted coordinates and the catalogue's units are each other's inverse") {
   for (const Coordinate coordinate : {Coordinate::plain, Coordinate::logarithm, Coordinate::reciprocal})
     CHECK(catalogue_value(coordinate, fitted_value(coordinate, 0.37)) == close_to(0.37));

@@ -119,14 +119,13 @@ TEST_CASE(
   const Experiment planted = measured(experiment, only("cell_curvature"), {0.03, 0.01}, 4);
   const Diagnosis diagnosis = diagnose::diagnose(Study(planted));
   REQUIRE(diagnosis.cause.verdict == CauseVerdict::identified);
-  const auto& best = diagnosis.cause.ranking[diagnosis.cause.best].hypothesis.fit;
-  CHECK(best.candidate.label() == "cell_curvature");
+  const Hypothesis& best = diagnosis.cause.ranking.front().hypothesis;
+  CHECK(diagnosis.cause.ranking.front().cause.label() == "cell_curvature");
   CHECK(best.parameters[0] == doctest::Approx(0.03).epsilon(0.2));
   for (const char* other : {"force_gain", "asymmetric_spring"}) {
     const Study study(measured(experiment, only(other), {0.1}, 5));
     const Diagnosis of_other = diagnose::diagnose(study);
-    const auto& named = of_other.cause.ranking[of_other.cause.best].hypothesis.fit.candidate;
-    CHECK(named.label() != "cell_curvature");
+    CHECK(of_other.cause.ranking.front().cause.label() != "cell_curvature");
   }
 }
 

@@ -5,7 +5,7 @@
 #include <random>
 
 #include "diagnose/inference/study.hpp"
-#include "diagnose/noise/measurement.hpp"
+#include "diagnose/inference/measurements.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 
@@ -315,7 +315,7 @@ TEST_CASE("an end point out of reach is said, not predicted") {
   CHECK(predicted.runs[0].row(4).isNaN().all());
   CHECK(predicted.runs[1].isNaN().all());
   const Measurements measurements(experiment);
-  CHECK(measurements.residual(experiment, predicted).size() == measurements.size());
+  CHECK(static_cast<std::size_t>(measurements.residual(predicted).size()) == measurements.size());
 }
 
 TEST_CASE("effects act together: friction, play, weight, compliance and a load cell in one balance") {

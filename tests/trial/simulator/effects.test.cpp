@@ -6,7 +6,6 @@
 
 #include "diagnose/bench/read_experiment.hpp"
 #include "diagnose/inference/study.hpp"
-#include "diagnose/noise/measurement.hpp"
 #include "tests/folder.hpp"
 #include "trial/simulator/write_experiment.hpp"
 
@@ -67,10 +66,8 @@ Truth truth_of(const plumbline::trial::Label& label, const plumbline::diagnose::
   return truth;
 }
 
-double rms(const std::vector<double>& values) {
-  double sum = 0;
-  for (const double value : values) sum += value * value;
-  return std::sqrt(sum / static_cast<double>(values.size()));
+double rms(const Eigen::VectorXd& values) {
+  return std::sqrt(values.squaredNorm() / static_cast<double>(values.size()));
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <functional>
 #include <map>
 
-#include "diagnose/beliefs.hpp"
+#include "diagnose/priors.hpp"
 #include "diagnose/inference/start.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
@@ -58,15 +58,6 @@ void check_values(const std::vector<double>& found, const std::vector<double>& e
   }
 }
 
-/// The form of an effect with a value at each joint, where another has one for all.
-const Effect& each_its_own(std::string_view id) {
-  const auto row = std::find_if(catalogue().begin(), catalogue().end(), [&](const Effect& one) {
-    return one.id == id && !one.at_joint && &one != &effect(id);
-  });
-  REQUIRE(row != catalogue().end());
-  return *row;
-}
-
 void check_guesses(const char* id, std::size_t joint, const std::vector<std::vector<double>>& expected,
                    std::size_t refined) {
   CAPTURE(id);
@@ -98,6 +89,9 @@ TEST_CASE("what a lab would call sizeable of each effect, by hand") {
       {"guide_friction", {0.35}},
       {"position_offset", {0.0065, 0.0065}},
       {"train_compliance", {c}},
+      {"pulley_friction", {0.03}},
+      {"camera_scale", {0.01}},
+      {"camera_turn", {0.02}},
       {"force_bias", {0.35, 0.35}},
       {"force_gain", {0.05}},
       {"sensor_drift", {0.35 / 90, 0.35 / 90}},
@@ -141,6 +135,13 @@ TEST_CASE("what a lab would call sizeable of each effect, by hand") {
       }
       continue;
     }
+    if (row.id == "joint_friction" && !is_named) {  // gives before it slips
+      const CharacteristicScales size = sizes_by_hand();
+      const std::vector<ParameterRange> ranges = row.parameters({size, 0});
+      REQUIRE(ranges.size() == 2);
+      check_values({ranges[0].scale, ranges[1].scale}, {0.06, 1});
+      continue;
+    }
     if (place == all.end() || !is_named) {  // of values within a tolerance, of which half is sizeable
       const CharacteristicScales size = sizes_by_hand();
       for (const ParameterRange& one : row.parameters({size, 0})) {
@@ -163,7 +164,7 @@ TEST_CASE("tolerances are what machining and assembly leave, of elastic joints a
     for (const ParameterRange& one : effect(id).parameters({size, 0})) all.push_back(one.tolerance);
     return all;
   };
-  using namespace beliefs;
+  using namespace priors;
   check_values(tolerances("stiffness_spread"), {stiffness_tolerance, stiffness_tolerance});
   check_values(tolerances("length_spread"), {length_tolerance, length_tolerance, length_tolerance});
   check_values(tolerances("rest_spread"), {angle_tolerance, angle_tolerance});
@@ -176,6 +177,13 @@ TEST_CASE("tolerances are what machining and assembly leave, of elastic joints a
 TEST_CASE("fits start at shares of what the joints are asked for, by hand") {
   check_guesses("backlash", 2, {{0.02 * 0.23}, {0.1 * 0.23}, {0.4 * 0.23}}, 2);
   check_guesses("joint_friction", 0, {{0.0034}, {0.017}, {0.085}}, 1);
+  const InitialGuesses giving =
+      other_form("joint_friction").initial_guesses({sizes_by_hand(), 0}, excitation_by_hand());
+  CHECK(giving.refined == 1);
+  REQUIRE(giving.points.size() == 6);
+  for (std::size_t s = 0; s < 6; ++s)  // d_s in decades below the typical deflection of 0.3 rad
+    check_values(giving.points[s],
+                 {s < 3 ? 0.0051 : 0.0255, std::log(0.3 * std::vector{1e-3, 1e-2, 1e-1}[s % 3])});
   const auto stops = [](double reach, double k) {
     std::vector<std::vector<double>> all;
     for (const double share : {0.2, 0.4, 0.6, 0.8, 0.95})
@@ -186,7 +194,7 @@ TEST_CASE("fits start at shares of what the joints are asked for, by hand") {
   check_guesses("joint_stop", 1, stops(0.11, 4), 2);
   check_guesses("joint_stops", 0, stops(0.31, 4), 2);
   const InitialGuesses own =
-      each_its_own("joint_stops").initial_guesses({sizes_by_hand(), 0}, excitation_by_hand());
+      other_form("joint_stops").initial_guesses({sizes_by_hand(), 0}, excitation_by_hand());
   CHECK(own.refined == 2);
   REQUIRE(own.points.size() == 10);
   check_values(own.points[3], {3.0 * 4, 0.4 * 0.11, 0.4 * 0.23, 0.4 * 0.31});
@@ -252,6 +260,7 @@ TEST_CASE(
                                            {"viscoelasticity", {{0}, false, true, 100, 1, false}},
                                            {"link_bending", {{}, true, false, 1, 1, false}},
                                            {"guide_friction", {{}, false, true, 100, 1, false}},
+                                           {"pulley_friction", {{}, false, true, 100, 1, false}},
                                            {"stiffness_spread", {{}, false, false, 100, 1, true}},
                                            {"length_spread", {{}, false, false, 100, 1, true}},
                                            {"rest_spread", {{}, false, false, 100, 1, true}},
@@ -266,11 +275,16 @@ TEST_CASE(
                                            {"saturation", {{}, true, false, 100, 1, false}},
                                            {"sensor_lag", {{}, false, true, 100, 1, false}}};
   const Kind own_stops{{0}, false, false, 100, 1, false};  // their stiffness comes first
+  const Kind giving{{0}, true, true, 100, 1, false};
   for (const Effect& row : catalogue()) {
     CAPTURE(row.id);
     const auto place = others.find(row.id);
     const bool is_own_stops = row.id == "joint_stops" && &row != &effect("joint_stops");
-    const Kind& expected = is_own_stops ? own_stops : place == others.end() ? plain : place->second;
+    const bool gives = row.id == "joint_friction" && &row != &effect("joint_friction");
+    const Kind& expected = is_own_stops ? own_stops
+                           : gives      ? giving
+                           : place == others.end() ? plain
+                                                   : place->second;
     CHECK(row.perturbation.growing == expected.growing);
     CHECK(row.perturbation.large_step == expected.large_step);
     CHECK(row.perturbation.guesses == expected.guesses);
@@ -344,11 +358,13 @@ TEST_CASE("where an effect is possible: what it asks of the bench, one thing at 
   };
   CharacteristicScales all = sizes_by_hand();
   all.measures_force = all.load_cell = all.pivot = all.clock = all.measures_both_forces = true;
-  all.turns_back = all.bent_at_rest = all.nominal_weight = true;
+  all.turns_back = all.bent_at_rest = all.nominal_weight = all.imposes_force = true;
+  all.measured.fill(true);
   all.at_largest = 4;
   const auto one_spring = [](CharacteristicScales& s) { s.joint_stiffness = {0, 3, 0}; };
   const auto one_link = [](CharacteristicScales& s) { s.joint_stiffness = {3}, s.link_length = {0.2}; };
   const auto no_force = [](CharacteristicScales& s) { s.measures_force = false; };
+  const auto no_place = [](CharacteristicScales& s) { s.measured.fill(false); };
   const auto no_cell = [](CharacteristicScales& s) { s.load_cell = false; };
   const auto no_clock = [](CharacteristicScales& s) { s.clock = false; };
   const auto no_turn = [](CharacteristicScales& s) { s.turns_back = false; };
@@ -386,6 +402,10 @@ TEST_CASE("where an effect is possible: what it asks of the bench, one thing at 
       {"guide_friction", no_force},
       {"position_offset", no_force},
       {"train_compliance", no_force},
+      {"pulley_friction", [](CharacteristicScales& s) { s.imposes_force = false; }},
+      {"pulley_friction", no_turn},
+      {"camera_scale", no_place},
+      {"camera_turn", no_place},
       {"force_bias", no_cell},
       {"force_gain", no_cell},
       {"sensor_drift", no_force},
@@ -422,6 +442,8 @@ TEST_CASE("where an effect is possible: what it asks of the bench, one thing at 
   CharacteristicScales straight = all;
   straight.turns_back = false;
   CHECK_FALSE(effect("hysteresis", 2).possible({straight, 1}));
+  CHECK_FALSE(other_form("joint_friction").possible({straight, 0}));
+  CHECK(effect("joint_friction").possible({straight, 0}));
 }
 
 TEST_CASE("effects of one kind add up, and what each adds to the rig, by hand") {
@@ -453,6 +475,9 @@ TEST_CASE("effects of one kind add up, and what each adds to the rig, by hand") 
   check_values(with("play", 0, {0.25, 0.5}).backlash, {1, 2.5, 4});
   check_values(with("joint_friction", 0, {0.25}).friction, {1.5, 2.5, 3.5});
   check_values(with("friction_spread", 0, {0.25, 0.5}).friction, {1, 2.5, 4});
+  const Rig giving = add(other_form("joint_friction"), 0, {0.25, 0.01});
+  check_values(giving.friction, {1.5, 2.5, 3.5});
+  CHECK(giving.presliding == 0.01);
   check_values(with("nonlinear_spring", 0, {0.25}).hardening, {1.5, 2.5, 3.5});
   check_values(with("hardening_spread", 0, {0.25, 0.5}).hardening, {1, 2.5, 4});
   check_values(with("joint_stop", 2, {0.1, 7}).stop, {1, 0.1, 3});
@@ -470,8 +495,8 @@ TEST_CASE("effects of one kind add up, and what each adds to the rig, by hand") 
   CHECK(with("axial_compliance", 0, {0.25}).axial == 0.5);
   CHECK(with("link_bending", 0, {4}).flexibility == 0.5);
   check_values(with("asymmetric_spring", 0, {0.25}).asymmetry, {1.5, 2.5, 3.5});
-  check_values(add(each_its_own("asymmetric_spring"), 0, {0.25, -0.5}).asymmetry, {1, 2.5, 2});
-  const Rig stopped = add(each_its_own("joint_stops"), 0, {7, 0.1, 0.2, 0.3});
+  check_values(add(other_form("asymmetric_spring"), 0, {0.25, -0.5}).asymmetry, {1, 2.5, 2});
+  const Rig stopped = add(other_form("joint_stops"), 0, {7, 0.1, 0.2, 0.3});
   check_values(stopped.stop, {0.1, 0.2, 0.3});
   check_values(stopped.stop_stiffness, {7, 7, 7});
   CHECK(with("tendon_friction", 0, {0.25}).capstan == 0.5);
@@ -505,6 +530,9 @@ TEST_CASE("effects of one kind add up, and what each adds to the rig, by hand") 
   CHECK(with("eccentric_load", 0, {1}).eccentricity == 2);
   CHECK(with("tip_stiffness", 0, {1}).tip_stiffness == 2);
   CHECK(with("guide_friction", 0, {1}).guide_friction == 2);
+  CHECK(with("pulley_friction", 0, {1}).pulley_friction == 2);
+  CHECK(with("camera_scale", 0, {1}).place_scale == 2);
+  CHECK(with("camera_turn", 0, {1}).place_turn == 2);
   CHECK(with("position_offset", 0, {1, 2}).position_offset == Vector2(2, 4));
   CHECK(with("force_bias", 0, {1, 2}).force_bias == Vector2(2, 4));
   CHECK(with("force_gain", 0, {1}).force_gain == 2);
