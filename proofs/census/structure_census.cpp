@@ -104,13 +104,28 @@ class StructureBox {
     for (std::size_t j = 0; j < size(); ++j) {
       if (!(box[j].low < image[j].low && image[j].high < box[j].high)) return false;
     }
-    for (int step = 0; step < 8; ++step) {
-      Ranges next = image;
-      if (!newton(next)) break;
-      image = next;
-    }
-    box = image;
+    box = narrowed(std::move(image));
     return true;
+  }
+
+  /// A box around one root, as far as Newton's steps narrow it: near a critical load they gain little each.
+  [[nodiscard]] Ranges narrowed(Ranges box) const {
+    constexpr int most = 200;
+    constexpr double noticeable = 0.99;
+    for (int step = 0; step < most; ++step) {
+      Ranges next = box;
+      if (!newton(next)) break;
+      const bool gained = widest(next) < noticeable * widest(box);
+      box = std::move(next);
+      if (!gained) break;
+    }
+    return box;
+  }
+
+  static double widest(const Ranges& box) {
+    double width = 0;
+    for (const Span& one : box) width = std::max(width, one.high - one.low);
+    return width;
   }
 
   /// Whether two boxes that overlap, each around one root, are around the same: their hull has one as well.

@@ -148,7 +148,7 @@ TEST_CASE("a copy of an effect under another name is an alternative to it") {
 [[effect]]
 id = "soft"
 words = "a softer spring"
-where = "a joint"
+where = "one joint"
 torque = "a * 3 * d"
 [effect.parameters.a]
 unit = "1"

@@ -90,7 +90,7 @@ TEST_CASE("a shrink tests where the gap is more than the noise, and fails where 
   shrink.noise_floor_ratio = 0.7, shrink.ratio_low = 0.99;
   CHECK(shrink.tested());
   CHECK_FALSE(shrink.fails());
-  shrink.noise_floor_ratio = 0.71, shrink.ratio_low = 1;
+  shrink.noise_floor_ratio = 0.71, shrink.ratio_low = 1.01;
   CHECK_FALSE(shrink.tested());
   CHECK(shrink.fails());
 }

@@ -229,12 +229,17 @@ def log_volume(parameters, gradient, information, temper):
 
 def local_departure(data, z):
     """Log Bayes factor of one event in a few neighbouring readings of a run over independent outliers."""
-    gain = [np.zeros(1 + max(p[1] for p in data["places"] if p[0] == r) if any(p[0] == r for p in data["places"]) else 0)
-            for r in range(len(data["runs"]))]
-    for (run, reading), x in zip(data["places"], z):
-        gain[run][reading] += log_outlier(x) - np.log(SHARE) - log_sum([log_outlier(x), log_inlier(x)])
-    sums = [run[i : j + 1].sum() for run in gain for i in range(len(run))
-            for j in range(i, min(len(run), i + int(np.clip(len(run) // 4, 1, 8))))]
+    channel = np.concatenate([np.full(count, b) for b, (_, count) in enumerate(data["blocks"])])
+    sums = []
+    for run in {p[0] for p in data["places"]}:
+        here = [i for i, p in enumerate(data["places"]) if p[0] == run]
+        readings = 1 + max(data["places"][i][1] for i in here)
+        gain = {c: np.zeros(readings) for c in channel[here]}
+        for i in here:
+            gain[channel[i]][data["places"][i][1]] = log_outlier(z[i]) - np.log(SHARE) - log_sum([log_outlier(z[i]), log_inlier(z[i])])
+        for i in range(readings):
+            for j in range(i, min(readings, i + int(np.clip(readings // 4, 1, 8)))):
+                sums.append(sum(log_sum([g[i : j + 1].sum(), 0]) - np.log(2) for g in gain.values()))
     return log_sum(sums) - np.log(len(sums))
 
 
