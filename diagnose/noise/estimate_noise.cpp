@@ -1,5 +1,7 @@
 #include "diagnose/noise/estimate_noise.hpp"
 
+#include <algorithm>
+
 #include "diagnose/noise/term.hpp"
 
 namespace plumbline::diagnose {
@@ -27,8 +29,13 @@ NoiseEvidence evidence_of(const Experiment& experiment, const Measurements& meas
     const double square = one.correlation * one.correlation;
     return (1 - square) / (1 + square);
   });
+  // Readings that are marked as outliers may be those of a noisier segment: they count as the least of outliers.
+  constexpr double least_outlier = 4;  // about where an outlier is as probable as noise
   for (std::size_t i = 0; i < shape.outlier.size(); ++i)
-    if (shape.outlier[i]) evidence.weight(static_cast<Eigen::Index>(i)) = 0;
+    if (shape.outlier[i]) {
+      double& z = evidence.standardised(static_cast<Eigen::Index>(i));
+      z = std::clamp(z, -least_outlier, least_outlier);
+    }
   return evidence;
 }
 

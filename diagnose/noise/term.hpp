@@ -16,9 +16,9 @@ struct NoiseEvidence {
   const Experiment& experiment;
   const Measurements& measurements;
   const NoiseShape& shape;  ///< as it is known so far
-  VectorXd standardised;    ///< flat, in standard deviations of that noise
+  VectorXd standardised;    ///< flat, in standard deviations of that noise; outliers drawn in
   VectorXd scale;           ///< flat: of the channel, over the declared noise
-  VectorXd weight;          ///< flat: independent values that a value stands for; zero of outliers
+  VectorXd weight;          ///< flat: independent values that a value stands for
 };
 
 /// A departure that the readings may show.

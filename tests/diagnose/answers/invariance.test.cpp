@@ -147,7 +147,7 @@ TEST_CASE("a copy of an effect under another name is an alternative to it") {
   const std::vector<StatedEffect> stated = parse_effects(R"(format = "user-effects/1"
 [[effect]]
 id = "soft"
-words = "a softer spring"
+words = "a softer spring of joint {}"
 where = "one joint"
 torque = "a * 3 * d"
 [effect.parameters.a]
