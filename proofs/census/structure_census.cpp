@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <optional>
 #include <cmath>
 
 #include "proofs/exact/inertia.hpp"
@@ -108,18 +109,37 @@ class StructureBox {
     return true;
   }
 
-  /// A box around one root, as far as Newton's steps narrow it: near a critical load they gain little each.
+  /// A box around one root, as far as Newton's steps narrow it; where they gain little, as near a critical load, the
+  /// part of it that is not proved to be empty.
   [[nodiscard]] Ranges narrowed(Ranges box) const {
-    constexpr int most = 200;
-    constexpr double noticeable = 0.99;
+    constexpr int most = 300;
+    constexpr double noticeable = 0.9;
     for (int step = 0; step < most; ++step) {
       Ranges next = box;
       if (!newton(next)) break;
-      const bool gained = widest(next) < noticeable * widest(box);
+      if (!(widest(next) < noticeable * widest(box))) {
+        const std::optional<Ranges> part = part_with_root(next);
+        if (!part) return next;
+        next = *part;
+      }
       box = std::move(next);
-      if (!gained) break;
     }
     return box;
+  }
+
+  /// Of a box around one root: without the third at either end of its widest side, where that is proved to be empty.
+  [[nodiscard]] std::optional<Ranges> part_with_root(const Ranges& box) const {
+    std::size_t side = 0;
+    for (std::size_t j = 1; j < size(); ++j)
+      if (box[j].width() > box[side].width()) side = j;
+    for (const bool upper : {false, true}) {
+      Ranges end = box, rest = box;
+      const double at = upper ? box[side].high - box[side].width() / 3 : box[side].low + box[side].width() / 3;
+      (upper ? end[side].low : end[side].high) = at;
+      (upper ? rest[side].high : rest[side].low) = at;
+      if (!contract(end)) return rest;
+    }
+    return std::nullopt;
   }
 
   static double widest(const Ranges& box) {
