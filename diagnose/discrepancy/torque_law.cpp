@@ -243,8 +243,8 @@ TorqueLaw between(const TorqueLaw& from, const TorqueLaw& to, double share) {
 /// to how the chain answers that has the law, at the deflections that it then has: Gauss and Newton's
 /// iteration, by shorter steps where a whole one does not help.
 TorqueLaw settled(const Study& seen, const NoiseEstimate& noise, TorqueLaw law) {
-  constexpr int rounds = 20;
-  constexpr double noticeable = 1e-3;
+  constexpr int rounds = 6;
+  constexpr double noticeable = 1e-2;
   double least = left_with(seen, noise, law);
   for (int halved = 0; !std::isfinite(least) && halved < 4; ++halved) {
     for (JointTorqueLaw& one : law.laws) one.coefficients /= 2;
