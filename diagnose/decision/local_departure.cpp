@@ -10,8 +10,10 @@ namespace plumbline::diagnose {
 
 namespace {
 
-/// [run][channel][reading]: log density of a value in the departure over that outside of it; zero where none is.
-std::vector<std::vector<std::vector<double>>> gains(const Measurements& measurements, const VectorXd& standardised) {
+/// [run][channel][reading]: log density of a value in the departure over that outside of it; zero where none
+/// is.
+std::vector<std::vector<std::vector<double>>> gains(const Measurements& measurements,
+                                                    const VectorXd& standardised) {
   std::vector<std::size_t> readings;
   for (const ReadingPlace& place : measurements.places()) {
     readings.resize(std::max(readings.size(), place.run + 1), 0);
@@ -31,10 +33,12 @@ std::vector<std::vector<std::vector<double>>> gains(const Measurements& measurem
 
 }  // namespace
 
-double log_local_departure(const Measurements& measurements, const VectorXd& left, const NoiseEstimate& noise) {
+double log_local_departure(const Measurements& measurements, const VectorXd& left,
+                           const NoiseEstimate& noise) {
   constexpr std::size_t longest = 8;  // readings, and a quarter of a run
   std::vector<double> places;
-  for (const std::vector<std::vector<double>>& run : gains(measurements, left.cwiseQuotient(noise.sigma(measurements)))) {
+  for (const std::vector<std::vector<double>>& run :
+       gains(measurements, left.cwiseQuotient(noise.sigma(measurements)))) {
     const std::size_t readings = run.empty() ? 0 : run.front().size();
     const std::size_t most = std::clamp<std::size_t>(readings / 4, 1, longest);
     for (std::size_t from = 0; from < readings; ++from) {

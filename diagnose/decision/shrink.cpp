@@ -76,8 +76,8 @@ void bootstrap(const std::vector<Sums>& blocks, Ratio& shrink) {
   shrink.ratio_high = std::max(shrink.ratio, ratios[draws - 1 - draws / 40]);
 }
 
-std::map<Channel, ChannelShrink> by_channel(const Measurements& measurements, const std::vector<Values>& values,
-                                            const Residuals& residuals) {
+std::map<Channel, ChannelShrink> by_channel(const Measurements& measurements,
+                                            const std::vector<Values>& values, const Residuals& residuals) {
   std::map<Channel, std::vector<Values>> parts;
   for (std::size_t s = 0; s < values.size(); ++s)
     parts[measurements.series()[s].channel].push_back(values[s]);

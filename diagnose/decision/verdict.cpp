@@ -29,7 +29,8 @@ Verdict decide(const Posterior& posterior) {
   if (posterior.causes.empty() || posterior.outside > listed) return verdict;
   const std::size_t others = verdict.or_outside ? 1 : 0;
   for (const CauseProbability& one : posterior.causes)
-    if (verdict.named == 0 || (one.probability >= worth_naming && verdict.named + others < priors::largest_class))
+    if (verdict.named == 0 ||
+        (one.probability >= worth_naming && verdict.named + others < priors::largest_class))
       ++verdict.named;
   verdict.verdict = verdict.named + others > 1 ? CauseVerdict::ambiguous : CauseVerdict::identified;
   return verdict;

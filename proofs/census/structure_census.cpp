@@ -2,8 +2,8 @@
 
 #include <Eigen/LU>
 #include <algorithm>
-#include <optional>
 #include <cmath>
+#include <optional>
 
 #include "proofs/exact/inertia.hpp"
 
@@ -109,8 +109,8 @@ class StructureBox {
     return true;
   }
 
-  /// A box around one root, as far as Newton's steps narrow it; where they gain little, as near a critical load, the
-  /// part of it that is not proved to be empty.
+  /// A box around one root, as far as Newton's steps narrow it; where they gain little, as near a critical
+  /// load, the part of it that is not proved to be empty.
   [[nodiscard]] Ranges narrowed(Ranges box) const {
     constexpr int most = 300;
     constexpr double noticeable = 0.9;
@@ -127,14 +127,16 @@ class StructureBox {
     return box;
   }
 
-  /// Of a box around one root: without the third at either end of its widest side, where that is proved to be empty.
+  /// Of a box around one root: without the third at either end of its widest side, where that is proved to be
+  /// empty.
   [[nodiscard]] std::optional<Ranges> part_with_root(const Ranges& box) const {
     std::size_t side = 0;
     for (std::size_t j = 1; j < size(); ++j)
       if (box[j].width() > box[side].width()) side = j;
     for (const bool upper : {false, true}) {
       Ranges end = box, rest = box;
-      const double at = upper ? box[side].high - box[side].width() / 3 : box[side].low + box[side].width() / 3;
+      const double at =
+          upper ? box[side].high - box[side].width() / 3 : box[side].low + box[side].width() / 3;
       (upper ? end[side].low : end[side].high) = at;
       (upper ? rest[side].high : rest[side].low) = at;
       if (!contract(end)) return rest;

@@ -121,7 +121,8 @@ TEST_CASE("the other side of the plane changes no answer") {
   }
 }
 
-TEST_CASE("declared noise twice as large, and all departures with it, moves every evidence by the same amount") {
+TEST_CASE(
+    "declared noise twice as large, and all departures with it, moves every evidence by the same amount") {
   const Experiment experiment = sprung_links_with(test::only("joint_stiffness", 2), 14);
   Experiment doubled = experiment;
   Noise& noise = doubled.noise;
@@ -174,7 +175,9 @@ TEST_CASE("fewer readings make no answer surely other" * doctest::test_suite("lo
       Experiment experiment = sprung_links_with(cause, 17);
       std::bernoulli_distribution keep(kept);
       for (Run& run : experiment.runs)
-        std::erase_if(run.readings, [&](const Reading& reading) { return &reading != &run.readings.back() && !keep(random); });
+        std::erase_if(run.readings, [&](const Reading& reading) {
+          return &reading != &run.readings.back() && !keep(random);
+        });
       const Answer answer = answer_of(Study(experiment));
       const bool hedged = answer.verdict.verdict == CauseVerdict::unknown || answer.verdict.or_outside ||
                           answer.verdict.verdict == CauseVerdict::none;

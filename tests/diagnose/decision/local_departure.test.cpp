@@ -20,7 +20,8 @@ struct Left {
 
   static Experiment bench() {
     Experiment experiment = test::three_links();
-    for (int run = 0; run < 4; ++run) test::press(experiment, {0.3, -0.5, 0.4}, {-0.01 * (run + 3), 0}, 20, false);
+    for (int run = 0; run < 4; ++run)
+      test::press(experiment, {0.3, -0.5, 0.4}, {-0.01 * (run + 3), 0}, 20, false);
     return experiment;
   }
   Left() {
@@ -33,7 +34,8 @@ struct Left {
     VectorXd moved = values;
     NoiseEstimate noise{{}, NoiseShape(study.measurements())};
     for (const Eigen::Index i : off) moved(i) = 30, noise.shape.outlier[static_cast<std::size_t>(i)] = true;
-    for (const Block& block : study.measurements().blocks()) noise.channels.push_back({block.channel, 1, 0, 1});
+    for (const Block& block : study.measurements().blocks())
+      noise.channels.push_back({block.channel, 1, 0, 1});
     return log_local_departure(study.measurements(), moved, noise);
   }
   /// Place of a value in the flat list.
@@ -47,9 +49,9 @@ struct Left {
 TEST_CASE("readings that stand off together are one event, those that stand off apart are outliers") {
   const Left left;
   CHECK(left.factor({}) < 0);
-  CHECK(left.factor({left.at(0, 7)}) < 0);                                       // one value
-  CHECK(left.factor({left.at(0, 3), left.at(1, 9), left.at(2, 15)}) < 0);        // three, apart
-  CHECK(left.factor({left.at(0, 18), left.at(0, 19), left.at(0, 20)}) > 0);      // three in a row
+  CHECK(left.factor({left.at(0, 7)}) < 0);                                   // one value
+  CHECK(left.factor({left.at(0, 3), left.at(1, 9), left.at(2, 15)}) < 0);    // three, apart
+  CHECK(left.factor({left.at(0, 18), left.at(0, 19), left.at(0, 20)}) > 0);  // three in a row
   // The same readings in two channels.
   CHECK(left.factor({left.at(0, 18), left.at(0, 19), left.at(4, 18), left.at(4, 19)}) > 0);
 }

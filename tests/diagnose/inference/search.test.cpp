@@ -106,7 +106,8 @@ TEST_CASE("an effect that no measured value shows is not excited") {
   const Study study(measured(experiment, {}, {}, 32));
   const Findings findings = search(study);
   for (const EffectAt& at : findings.not_excited) {
-    const Prediction predicted = predict(Study(experiment), {{at}}, std::vector<double>(Study(experiment).ranges(at).size(), 0));
+    const Prediction predicted =
+        predict(Study(experiment), {{at}}, std::vector<double>(Study(experiment).ranges(at).size(), 0));
     CHECK(predicted.reached);
     CHECK_FALSE(at.effect->outside);
   }

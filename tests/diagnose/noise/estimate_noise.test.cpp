@@ -19,7 +19,8 @@ namespace {
 /// A bench of which only the layout matters: residuals are made up.
 Experiment long_bench() {
   Experiment experiment = test::three_links();
-  for (int run = 0; run < 4; ++run) test::press(experiment, {0.3, -0.5, 0.4}, {-0.01 * (run + 3), 0}, 40, true);
+  for (int run = 0; run < 4; ++run)
+    test::press(experiment, {0.3, -0.5, 0.4}, {-0.01 * (run + 3), 0}, 40, true);
   return experiment;
 }
 
@@ -38,7 +39,9 @@ struct Made {
                           NoiseShape(study.measurements()), Departures::sought);
   }
   [[nodiscard]] NoiseEstimate decomposed() const {
-    return Likelihood(study.measurements(), states, full_model(), estimated(), nominal).decompose(nominal).noise;
+    return Likelihood(study.measurements(), states, full_model(), estimated(), nominal)
+        .decompose(nominal)
+        .noise;
   }
 };
 
@@ -52,7 +55,8 @@ TEST_CASE("white noise of the declared size is even, and its scale one") {
   CHECK(shape.interference.empty());
   CHECK(shape.proportional.empty());
   for (const ChannelNoise& one : made.decomposed().channels) {
-    // 324 values: the standard deviation of their scale is 1 / sqrt(2 * 324) = 0.04, and the prior pulls to one.
+    // 324 values: the standard deviation of their scale is 1 / sqrt(2 * 324) = 0.04, and the prior pulls to
+    // one.
     CHECK(std::abs(std::log(one.scale)) < 0.16);
     CHECK(one.correlation < 0.2);
   }
@@ -101,9 +105,9 @@ TEST_CASE("a sinusoid of three sigma is interference of its period, and no outli
     for (const auto& [channel, rms] : one.rms) most = std::max(most, rms);
     return most;
   };
-  const auto largest = std::max_element(
-      shape.interference.begin(), shape.interference.end(),
-      [&](const Interference& a, const Interference& b) { return size(a) < size(b); });
+  const auto largest =
+      std::max_element(shape.interference.begin(), shape.interference.end(),
+                       [&](const Interference& a, const Interference& b) { return size(a) < size(b); });
   REQUIRE(largest != shape.interference.end());
   CHECK(largest->run == 1);
   CHECK(largest->sensor == Sensor::force);
@@ -135,11 +139,13 @@ TEST_CASE("innovations of an autoregression are white") {
 TEST_CASE("columns are whitened as innovations are, across readings that are missing") {
   const Study study(long_bench());
   NoiseEstimate noise{{}, NoiseShape(study.measurements())};
-  for (const Block& block : study.measurements().blocks()) noise.channels.push_back({block.channel, 2, 0.5, 1});
+  for (const Block& block : study.measurements().blocks())
+    noise.channels.push_back({block.channel, 2, 0.5, 1});
   VectorXd ones = VectorXd::Ones(static_cast<Eigen::Index>(study.measurements().size()));
   const Series& first = study.measurements().series().front();
   const MatrixXd whole = noise.whitened(study.measurements(), ones);
-  const VectorXd by_hand = innovations(VectorXd::Ones(static_cast<Eigen::Index>(first.readings.size())), 2, 0.5);
+  const VectorXd by_hand =
+      innovations(VectorXd::Ones(static_cast<Eigen::Index>(first.readings.size())), 2, 0.5);
   CHECK((whole.col(0).head(by_hand.size()) - by_hand).norm() < 1e-12);
   // A gap of one reading: the correlation across it is 0.5 squared.
   noise.shape.outlier[3] = true;

@@ -1,6 +1,6 @@
 /// \file
-/// Writes, as JSON, what the rig predicts beside each hypothesis that a search finds, and the verdict: the data from
-/// which decide.py computes the verdict again by docs/how-it-decides.md.
+/// Writes, as JSON, what the rig predicts beside each hypothesis that a search finds, and the verdict: the
+/// data from which decide.py computes the verdict again by docs/how-it-decides.md.
 ///
 ///     hypotheses FOLDER...
 
@@ -47,10 +47,13 @@ Json runs(const Experiment& experiment) {
 
 Json parameter(const ParameterRange& range, double value, bool at_bound) {
   const bool gaussian = range.tolerance > 0;
-  const bool cauchy = range.may_be_nothing() || range.is_onset() || range.coordinate == Coordinate::reciprocal;
+  const bool cauchy =
+      range.may_be_nothing() || range.is_onset() || range.coordinate == Coordinate::reciprocal;
   return {{"value", value},
           {"at_bound", at_bound},
-          {"prior", gaussian ? "gaussian" : cauchy ? "cauchy" : "uniform"},
+          {"prior", gaussian ? "gaussian"
+                    : cauchy ? "cauchy"
+                             : "uniform"},
           {"scale", gaussian ? range.tolerance : range.scale},
           {"low", range.low},
           {"high", range.high}};
