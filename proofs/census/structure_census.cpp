@@ -105,7 +105,13 @@ class StructureBox {
     for (std::size_t j = 0; j < size(); ++j) {
       if (!(box[j].low < image[j].low && image[j].high < box[j].high)) return false;
     }
-    box = narrowed(std::move(image));
+    constexpr double wide = 1e-6;  // beyond it the energy has no sign of curvature
+    for (int step = 0; step < 8; ++step) {
+      Ranges next = image;
+      if (!newton(next)) break;
+      image = next;
+    }
+    box = widest(image) > wide ? narrowed(std::move(image)) : image;
     return true;
   }
 
@@ -116,7 +122,7 @@ class StructureBox {
     constexpr double noticeable = 0.9;
     for (int step = 0; step < most; ++step) {
       Ranges next = box;
-      if (!newton(next)) break;
+      if (!newton(next) || widest(next) < 1e-9) break;
       if (!(widest(next) < noticeable * widest(box))) {
         const std::optional<Ranges> part = part_with_root(next);
         if (!part) return next;
