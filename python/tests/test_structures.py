@@ -20,7 +20,7 @@ def test_equal_links_fixed_and_free_are_the_textbook_s():
     for n in (1, 2, 7, 30):
         found = plumbline.critical_factors({"lengths": np.ones(n), "stiffness": [1] * n, "end_point": "free"})
         m = np.arange(1, n + 1)
-        np.testing.assert_allclose(found, 2 - 2 * np.cos((2 * m - 1) * np.pi / (2 * n + 1)), rtol=1e-14)
+        np.testing.assert_allclose(found, 4 * np.sin((2 * m - 1) * np.pi / (4 * n + 2)) ** 2, rtol=1e-14)
 
 
 def test_the_paper_s_ends_have_the_critical_forces():
