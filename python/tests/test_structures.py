@@ -90,7 +90,8 @@ def test_fifty_digits_are_the_reference_values():
     with open(ROOT / "verify/reference/values/structures.json", encoding="utf-8") as file:
         structures = json.load(file)["structures"]
     for entry in structures:
-        if len(entry["lengths"]) > 7:
+        # a chain file has decimals; thirds are exact in the reference alone
+        if len(entry["lengths"]) > 7 or any("/" in str(one) for one in [*entry["lengths"], *entry["stiffness"]]):
             continue
         chain = as_chain(entry)
         if entry["kind"] == "buckling":
