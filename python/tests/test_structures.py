@@ -1,6 +1,7 @@
 """Other ends and loads, against the published reference values and closed forms."""
 import decimal
 import json
+import re
 import pathlib
 import subprocess
 import sys
@@ -91,7 +92,7 @@ def test_fifty_digits_are_the_reference_values():
         structures = json.load(file)["structures"]
     for entry in structures:
         # a chain file has decimals; thirds are exact in the reference alone
-        if len(entry["lengths"]) > 7 or any("/" in str(one) for one in [*entry["lengths"], *entry["stiffness"]]):
+        if len(entry["lengths"]) > 7 or re.search(r'"-?\d+/\d+"', json.dumps(entry)):
             continue
         chain = as_chain(entry)
         if entry["kind"] == "buckling":
