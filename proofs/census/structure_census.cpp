@@ -158,13 +158,20 @@ class StructureBox {
 
   /// Whether two boxes that overlap, each around one root, are around the same: their hull has one as well.
   [[nodiscard]] bool around_one(const Ranges& a, const Ranges& b) const {
+    Ranges hull = widened(a, b);
+    return isolates(hull);
+  }
+
+  /// The hull of two boxes and a little more: a Newton step leads strictly inside no box that is already as
+  /// small as it can make it.
+  [[nodiscard]] Ranges widened(const Ranges& a, const Ranges& b) const {
     Ranges hull;
     for (std::size_t j = 0; j < size(); ++j) {
       const double low = std::min(a[j].low, b[j].low), high = std::max(a[j].high, b[j].high);
       const double margin = high - low + 1e-12 * std::max(std::abs(low), std::abs(high)) + 1e-300;
       hull.emplace_back(low - margin, high + margin);
     }
-    return isolates(hull);
+    return hull;
   }
 
   [[nodiscard]] StructureEquilibrium described(const Ranges& box) const {
@@ -416,13 +423,14 @@ StructureCensus take_census(const Structure<Rational>& structure, const Rational
     Ranges box = std::move(open.back());
     open.pop_back();
     if (!system.contract(box)) continue;
-    Ranges one = box;
+    const bool small = widest_of(box, system.turning()) < smallest;
+    Ranges one = small ? system.widened(box, box) : box;
     if (system.isolates(one)) {
       if (system.counted(one) && !add(found, one, system))
         census.undecided.push_back(system.angles(system.directions(one)));
       continue;
     }
-    if (widest_of(box, system.turning()) < smallest) {
+    if (small) {
       census.undecided.push_back(system.angles(system.directions(box)));
       if (census.undecided.size() > most_undecided)
         throw Error("census", "more than " + std::to_string(most_undecided) + " boxes that stay undecided",

@@ -146,7 +146,7 @@ TEST_CASE("a nominal model has as many elements as are named") {
   }
 }
 
-// Four and five are found as fewer: docs/how-it-decides.md lists it among what fails.
+// Of four and five the last is not found: docs/how-it-decides.md lists it among what fails.
 TEST_CASE("a search finds how many elements there are, up to three" * doctest::test_suite("long")) {
   for (std::size_t elements = 1; elements <= 3; ++elements) {
     CAPTURE(elements);

@@ -30,9 +30,7 @@ Rational random_hundredth(int low, int high) {
 
 }  // namespace
 
-// One chain in a hundred stays undecided where two boxes meet at a root: not run with every change until that is mended.
-TEST_CASE("under a force at a free end point the census is the one of the paper's chain" *
-          doctest::test_suite("long")) {
+TEST_CASE("under a force at a free end point the census is the one of the paper's chain") {
   check_property("census", [] {
     const auto n = static_cast<std::size_t>(*rc::gen::inRange(1, 4));
     std::vector<Rational> length, stiffness, rest;
@@ -58,9 +56,7 @@ TEST_CASE("under a force at a free end point the census is the one of the paper'
             return true;
           });
       RC_ASSERT(same != paper.equilibria.end());
-      // close to a critical load it may stay open how many there are
-      if (same->negative_directions && one.negative_directions)
-        RC_ASSERT(same->negative_directions == one.negative_directions);
+      RC_ASSERT(same->negative_directions == one.negative_directions);
     }
   });
 }
