@@ -29,7 +29,8 @@ double chi2_per_value(const Study& study, const NoiseEstimate& noise, const Vect
   double sum = 0, count = 0;
   for (std::size_t i = 0; i < noise.shape.outlier.size(); ++i)
     if (!noise.shape.outlier[i])
-      sum += std::pow(residual(static_cast<Eigen::Index>(i)) / sigma(static_cast<Eigen::Index>(i)), 2), count += 1;
+      sum += std::pow(residual(static_cast<Eigen::Index>(i)) / sigma(static_cast<Eigen::Index>(i)), 2),
+          count += 1;
   return count > 0 ? sum / count : 1;
 }
 
@@ -41,9 +42,9 @@ std::vector<EffectProbability> by_effect(const Posterior& posterior) {
   std::vector<EffectProbability> effects;
   for (const auto& [label, probability] : sums)
     if (probability >= negligible) effects.push_back({label, probability});
-  std::stable_sort(effects.begin(), effects.end(), [](const EffectProbability& a, const EffectProbability& b) {
-    return a.probability > b.probability;
-  });
+  std::stable_sort(
+      effects.begin(), effects.end(),
+      [](const EffectProbability& a, const EffectProbability& b) { return a.probability > b.probability; });
   return effects;
 }
 
@@ -56,7 +57,8 @@ bool leaves_discrepancy(const Findings& findings, const Hypothesis& lead) {
 
 }  // namespace
 
-Cause judge(const Study& study, const Findings& findings, const Posterior& posterior, const NoiseEstimate& noise) {
+Cause judge(const Study& study, const Findings& findings, const Posterior& posterior,
+            const NoiseEstimate& noise) {
   constexpr std::size_t listed = 10;
   const Verdict verdict = decide(posterior);
   Cause cause;
@@ -78,7 +80,8 @@ Cause judge(const Study& study, const Findings& findings, const Posterior& poste
   const Hypothesis& lead = cause.ranking.front().hypothesis;
   if (!leaves_discrepancy(findings, lead)) return cause;
   cause.discrepancy = discrepancy_share(study, findings, lead);
-  cause.discrepancy_torque = discrepancy_torque(study, lead, findings.likelihood->decompose(lead.residual).delta);
+  cause.discrepancy_torque =
+      discrepancy_torque(study, lead, findings.likelihood->decompose(lead.residual).delta);
   return cause;
 }
 

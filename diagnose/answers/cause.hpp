@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// What causes the gap: the causes by their probability, those of them that are the answer, and each effect's own
-/// probability.
+/// What causes the gap: the causes by their probability, those of them that are the answer, and each effect's
+/// own probability.
 
 #include "diagnose/decision/verdict.hpp"
 
@@ -28,8 +28,8 @@ struct Cause {
   bool or_unknown = false;           ///< a cause outside of the catalogue is an alternative too
   double unknown = 0;                ///< probability of a cause outside of the catalogue
   std::vector<EffectProbability> effects;  ///< most probable first
-  /// Share of the nominal residual that the leading cause leaves to a discrepancy; zero where it probably leaves
-  /// none.
+  /// Share of the nominal residual that the leading cause leaves to a discrepancy; zero where it probably
+  /// leaves none.
   double discrepancy = 0;
   double discrepancy_torque = 0;  ///< the same as a torque at the joints, root mean square, N m
 
@@ -38,6 +38,7 @@ struct Cause {
   }
 };
 
-Cause judge(const Study& study, const Findings& findings, const Posterior& posterior, const NoiseEstimate& noise);
+Cause judge(const Study& study, const Findings& findings, const Posterior& posterior,
+            const NoiseEstimate& noise);
 
 }  // namespace plumbline::diagnose

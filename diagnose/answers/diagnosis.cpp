@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <plumbline/base/error.hpp>
 
-#include "diagnose/decision/cross_validation.hpp"
 #include "diagnose/answers/implied_shares.hpp"
+#include "diagnose/decision/cross_validation.hpp"
 
 namespace plumbline::diagnose {
 namespace {
@@ -21,7 +21,8 @@ void require_reached(const Study& study) {
               "end points within reach and a stable posture at every reading");
 }
 
-/// Effects that no measured value shows; and what the user stated of time, or of readings, that this bench has not.
+/// Effects that no measured value shows; and what the user stated of time, or of readings, that this bench
+/// has not.
 std::vector<EffectAt> not_excited(const Study& study, const Findings& findings) {
   std::vector<EffectAt> result = findings.not_excited;
   const std::vector<EffectAt> possible = possible_effects(study);
@@ -57,8 +58,8 @@ void imply_joints(const Study& study, const Findings& findings, const Cause& cau
   where.joint_evidence = JointEvidence::implied_by_fits;
 }
 
-/// Tests the leading cause on readings that its fit has not seen. It is dropped where it surely predicts no better
-/// than the nominal model.
+/// Tests the leading cause on readings that its fit has not seen. It is dropped where it surely predicts no
+/// better than the nominal model.
 void test_cause(const Study& study, const Findings& findings, Diagnosis& diagnosis) {
   Cause& cause = diagnosis.cause;
   if (cause.ranking.empty()) return;
@@ -75,8 +76,7 @@ void offer_law_to(const Study& study, Diagnosis& diagnosis) {
   std::optional<OfferedLaw> law = offer_law(study, diagnosis.noise);
   if (!law || (law->shrink && law->shrink->ratio >= 1)) return;
   const bool unknown = diagnosis.cause.verdict == CauseVerdict::unknown;
-  const bool predicts_worse =
-      diagnosis.shrink && law->shrink && law->shrink->ratio > diagnosis.shrink->ratio;
+  const bool predicts_worse = diagnosis.shrink && law->shrink && law->shrink->ratio > diagnosis.shrink->ratio;
   if (predicts_worse) return;
   diagnosis.law = std::move(law);
   if (unknown && diagnosis.law->shrink) diagnosis.shrink = diagnosis.law->shrink;
@@ -110,7 +110,13 @@ Diagnosis diagnose(const Study& study, const std::function<void(double)>& progre
                       locate(study, parts.noise),
                       cause,
                       parts.noise,
-                      {}, {}, {}, false, {}, {}, {}};
+                      {},
+                      {},
+                      {},
+                      false,
+                      {},
+                      {},
+                      {}};
   diagnosis.gap.present = gap;
   diagnosis.gap.probability = 1 - posterior.no_gap;
   if (gap) explain(study, findings, posterior, diagnosis);
@@ -119,7 +125,8 @@ Diagnosis diagnose(const Study& study, const std::function<void(double)>& progre
   if (diagnosis.cause.verdict == CauseVerdict::unknown)
     diagnosis.missing = describe_missing(study, diagnosis.noise, diagnosis.where);
   const Aim aim = diagnosis.shrink && diagnosis.shrink->tested() ? Aim::discriminate : Aim::detect;
-  if (const std::vector<Hypothesis> hypotheses = to_separate(diagnosis.cause, plan && gap); hypotheses.size() > 1)
+  if (const std::vector<Hypothesis> hypotheses = to_separate(diagnosis.cause, plan && gap);
+      hypotheses.size() > 1)
     diagnosis.proposals = next_runs(study, hypotheses, diagnosis.noise, 5, aim);
   report(1);
   return diagnosis;

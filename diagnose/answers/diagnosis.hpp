@@ -8,11 +8,11 @@
 #include "diagnose/answers/cause.hpp"
 #include "diagnose/answers/estimates.hpp"
 #include "diagnose/answers/gap.hpp"
+#include "diagnose/answers/offered_law.hpp"
+#include "diagnose/answers/unexplained.hpp"
 #include "diagnose/answers/where.hpp"
 #include "diagnose/decision/shrink.hpp"
 #include "diagnose/design/next_run.hpp"
-#include "diagnose/answers/offered_law.hpp"
-#include "diagnose/answers/unexplained.hpp"
 
 namespace plumbline::diagnose {
 

@@ -45,8 +45,8 @@ GapAnswer describe_gap(const Study& study, const NoiseEstimate& noise, const Vec
   const std::vector<Run>& runs = study.experiment().runs;
   for (const NoisierSegment& one : noise.shape.noisier) {
     const Run& run = runs[one.run];
-    gap.noisier.push_back({run.id, one.sensor, run.first_taken(one.from), run.last_taken(one.to), one.whole_run,
-                           one.factor});
+    gap.noisier.push_back(
+        {run.id, one.sensor, run.first_taken(one.from), run.last_taken(one.to), one.whole_run, one.factor});
   }
   for (const Interference& one : noise.shape.interference)
     for (const auto& [channel, rms] : one.rms)

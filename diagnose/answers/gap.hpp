@@ -26,7 +26,8 @@ struct OtherBranch {
   std::size_t reading;  ///< as it was taken, from 0: the first one there
 };
 
-/// A sensor that is noisier than elsewhere: in a run than in the others, or in a segment of a run than in its rest.
+/// A sensor that is noisier than elsewhere: in a run than in the others, or in a segment of a run than in its
+/// rest.
 struct NoisierReadings {
   std::string run;
   Sensor sensor;

@@ -34,8 +34,8 @@ LawPicture picture_of(const JointTorqueLaw& law, Eigen::Index knots);
 
 /// A law chosen and fitted to all readings, or to all but a part where that leaves less of all. Its shrink is
 /// that of laws chosen and fitted without each part of the readings in its turn; a part without which none is
-/// found keeps its residual, and one that bends the joints farther than the others is no test. Nothing where no
-/// law is better than the nominal model.
+/// found keeps its residual, and one that bends the joints farther than the others is no test. Nothing where
+/// no law is better than the nominal model.
 std::optional<OfferedLaw> offer_law(const Study& study, const NoiseEstimate& noise);
 
 }  // namespace plumbline::diagnose

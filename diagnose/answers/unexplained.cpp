@@ -82,8 +82,9 @@ Missing channel(const Study& study, const NoiseEstimate& noise, const Channel& o
     for (std::size_t i = 0; i < series.readings.size(); ++i) {
       if (noise.shape.outlier[series.first + i]) continue;
       const Reading& reading = run.readings[series.readings[i]];
-      missing.points.push_back({over.of(reading), series.sigma * residual(static_cast<Eigen::Index>(series.first + i)), reading.t,
-                                down[series.readings[i]]});
+      missing.points.push_back({over.of(reading),
+                                series.sigma * residual(static_cast<Eigen::Index>(series.first + i)),
+                                reading.t, down[series.readings[i]]});
     }
   }
   return missing;

@@ -23,7 +23,8 @@ std::vector<ChannelShare> by_channel(const Measurements& measurements, const Vec
     auto place = std::find_if(shares.begin(), shares.end(),
                               [&](const auto& one) { return one.channel == series.channel; });
     if (place == shares.end()) place = shares.insert(shares.end(), {series.channel, 0});
-    for (std::size_t i = 0; i < series.readings.size(); ++i) place->share += excess(static_cast<Eigen::Index>(series.first + i));
+    for (std::size_t i = 0; i < series.readings.size(); ++i)
+      place->share += excess(static_cast<Eigen::Index>(series.first + i));
   }
   normalise(shares);
   std::stable_sort(shares.begin(), shares.end(),

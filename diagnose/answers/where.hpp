@@ -3,9 +3,9 @@
 /// Where a gap lies: shares of the squared, noise-weighted residual of the nominal model beyond noise.
 
 #include "diagnose/discrepancy/joint_share.hpp"
+#include "diagnose/inference/study.hpp"
 #include "diagnose/noise/noise_estimate.hpp"
 #include "diagnose/rig/regime.hpp"
-#include "diagnose/inference/study.hpp"
 
 namespace plumbline::diagnose {
 
@@ -40,7 +40,8 @@ struct Where {
   JointEvidence joint_evidence = JointEvidence::implied_by_law;
 };
 
-/// By joint from measured torque alone; empty where none is measured, or noise alone may give what is missing.
+/// By joint from measured torque alone; empty where none is measured, or noise alone may give what is
+/// missing.
 Where locate(const Study& study, const NoiseEstimate& noise);
 
 }  // namespace plumbline::diagnose

@@ -8,7 +8,8 @@ namespace {
 /// Whether a value of the flat list is held out.
 std::vector<bool> heldout_values(const Measurements& measurements, const HeldOut& part) {
   std::vector<bool> held;
-  for (const ReadingPlace& place : measurements.places()) held.push_back(part.reading[place.run][place.reading]);
+  for (const ReadingPlace& place : measurements.places())
+    held.push_back(part.reading[place.run][place.reading]);
   return held;
 }
 
@@ -35,7 +36,8 @@ NoiseEstimate noise_of(const NoiseEstimate& noise, const Measurements& measureme
 }
 
 /// Mean square over a part of what a prediction is uncertain by, in declared sigmas.
-double uncertainty(const Study& study, const HeldOut& part, const Prediction& predicted, const MatrixXd& covariance) {
+double uncertainty(const Study& study, const HeldOut& part, const Prediction& predicted,
+                   const MatrixXd& covariance) {
   const std::vector<bool> held = heldout_values(study.measurements(), part);
   MatrixXd slopes(static_cast<Eigen::Index>(held.size()), covariance.cols());
   for (Eigen::Index p = 0; p < slopes.cols(); ++p)
@@ -59,13 +61,15 @@ double mean_square(const Study& study, const HeldOut& part, const VectorXd& resi
 
 }  // namespace
 
-std::optional<Shrink> cross_validated(const Study& study, const NoiseEstimate& noise, const LeftUnseen& left_unseen) {
+std::optional<Shrink> cross_validated(const Study& study, const NoiseEstimate& noise,
+                                      const LeftUnseen& left_unseen) {
   std::optional<Shrink> first;
   for (const auto& parts : {run_parts(study.experiment()), block_parts(study.experiment())}) {
     std::vector<std::optional<VectorXd>> left(parts.size());
     in_parallel(parts.size(), study.threads(), [&](std::size_t p) {
       const Study seen = study.of(without(study.experiment(), parts[p]));
-      left[p] = left_unseen(seen, noise_of(noise, study.measurements(), parts[p], seen.measurements()), parts[p]);
+      left[p] =
+          left_unseen(seen, noise_of(noise, study.measurements(), parts[p], seen.measurements()), parts[p]);
     });
     HeldOut all = nothing_held(study.experiment());
     VectorXd after = study.nominal_residual();
@@ -84,22 +88,25 @@ std::optional<Shrink> cross_validated(const Study& study, const NoiseEstimate& n
   return first;
 }
 
-std::optional<Shrink> cross_validated(const Study& study, const Findings& findings, const NoiseEstimate& noise,
-                                      const Hypothesis& hypothesis) {
+std::optional<Shrink> cross_validated(const Study& study, const Findings& findings,
+                                      const NoiseEstimate& noise, const Hypothesis& hypothesis) {
   constexpr Effort effort{6, 0.03};
-  return cross_validated(study, noise, [&](const Study& seen, const NoiseEstimate& noise_seen,
-                                     const HeldOut& part) -> std::optional<VectorXd> {
-    const CommandStates states(seen.experiment());
-    const Likelihood likelihood(seen.measurements(), states, findings.likelihood->priors(), noise_seen.shape,
-                                seen.nominal_residual());
-    const Hypothesis fitted = maximised(seen, likelihood, hypothesis.candidate, hypothesis.parameters, effort);
-    if (!fitted.converged) return std::nullopt;
-    const Prediction predicted = predict(study, fitted.candidate, fitted.parameters, true);
-    if (!predicted.reached ||
-        uncertainty(study, part, predicted, covariance(seen, fitted)) > mean_square(study, part, study.nominal_residual()))
-      return std::nullopt;
-    return study.residual(predicted);
-  });
+  return cross_validated(
+      study, noise,
+      [&](const Study& seen, const NoiseEstimate& noise_seen,
+          const HeldOut& part) -> std::optional<VectorXd> {
+        const CommandStates states(seen.experiment());
+        const Likelihood likelihood(seen.measurements(), states, findings.likelihood->priors(),
+                                    noise_seen.shape, seen.nominal_residual());
+        const Hypothesis fitted =
+            maximised(seen, likelihood, hypothesis.candidate, hypothesis.parameters, effort);
+        if (!fitted.converged) return std::nullopt;
+        const Prediction predicted = predict(study, fitted.candidate, fitted.parameters, true);
+        if (!predicted.reached || uncertainty(study, part, predicted, covariance(seen, fitted)) >
+                                      mean_square(study, part, study.nominal_residual()))
+          return std::nullopt;
+        return study.residual(predicted);
+      });
 }
 
 }  // namespace plumbline::diagnose

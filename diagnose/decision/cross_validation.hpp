@@ -10,17 +10,18 @@
 
 namespace plumbline::diagnose {
 
-/// What a model leaves of all readings, flat, where it was fitted to the readings seen, in their noise; nothing where
-/// these say too little to predict the part that is held out.
-using LeftUnseen =
-    std::function<std::optional<VectorXd>(const Study& seen, const NoiseEstimate& noise, const HeldOut& part)>;
+/// What a model leaves of all readings, flat, where it was fitted to the readings seen, in their noise;
+/// nothing where these say too little to predict the part that is held out.
+using LeftUnseen = std::function<std::optional<VectorXd>(const Study& seen, const NoiseEstimate& noise,
+                                                         const HeldOut& part)>;
 
-/// Runs are held out in turn, else blocks of readings: of these two ways the first whose readings carry the gap.
-/// Nothing where too little can be held out.
-std::optional<Shrink> cross_validated(const Study& study, const NoiseEstimate& noise, const LeftUnseen& left_unseen);
+/// Runs are held out in turn, else blocks of readings: of these two ways the first whose readings carry the
+/// gap. Nothing where too little can be held out.
+std::optional<Shrink> cross_validated(const Study& study, const NoiseEstimate& noise,
+                                      const LeftUnseen& left_unseen);
 
 /// The same for a hypothesis. A part of which its own uncertainty is larger than the gap there is no test.
-std::optional<Shrink> cross_validated(const Study& study, const Findings& findings, const NoiseEstimate& noise,
-                                      const Hypothesis& hypothesis);
+std::optional<Shrink> cross_validated(const Study& study, const Findings& findings,
+                                      const NoiseEstimate& noise, const Hypothesis& hypothesis);
 
 }  // namespace plumbline::diagnose

@@ -42,9 +42,11 @@ struct Weight {
 
 class Weights {
  public:
-  Weights(const Study& study, const Findings& findings) : found_(findings), priors_(findings.likelihood->priors()) {
+  Weights(const Study& study, const Findings& findings)
+      : found_(findings), priors_(findings.likelihood->priors()) {
     const Decomposition nominal = findings.likelihood->decompose(study.nominal_residual());
-    log_local_ = log_local_departure(study.measurements(), study.nominal_residual() - nominal.delta - nominal.periodic, nominal.noise);
+    log_local_ = log_local_departure(
+        study.measurements(), study.nominal_residual() - nominal.delta - nominal.periodic, nominal.noise);
     const std::size_t count = findings.hypotheses.size();
     log_odds_.assign(count, 0.0);
     in_parallel(count, study.threads(), [&](std::size_t i) {
@@ -58,20 +60,21 @@ class Weights {
   /// Where the likelihood counts to this power.
   [[nodiscard]] std::vector<Weight> at(double temper) const {
     using Of = Weight::Of;
-    std::vector<Weight> all{{std::log(priors::no_gap) + temper * found_.nominal.log_by_amplitude.front(),
-                             Of::nothing, true, 0}};
+    std::vector<Weight> all{
+        {std::log(priors::no_gap) + temper * found_.nominal.log_by_amplitude.front(), Of::nothing, true, 0}};
     const double outside = std::log(1 - priors::no_gap) + std::log(priors::outside);
     add(all, outside + std::log(1 - priors::local), found_.nominal.log_by_amplitude, temper,
         priors_.log_amplitude_outside, {Of::outside, 0});
-    all.push_back({outside + std::log(priors::local) +
-                       temper * (found_.nominal.log_by_amplitude.front() + log_local_),
-                   Of::outside, true, 0});
+    all.push_back(
+        {outside + std::log(priors::local) + temper * (found_.nominal.log_by_amplitude.front() + log_local_),
+         Of::outside, true, 0});
     for (std::size_t i = 0; i < found_.hypotheses.size(); ++i) {
       const Hypothesis& one = found_.hypotheses[i];
       const std::vector<double>& likelihood = one.look.log_by_amplitude;
       const double base = std::log(1 - priors::no_gap) + one.log_prior + one.volume.log_at(temper);
       if (!has_outside(one.candidate)) {
-        add(all, base + std::log(1 - priors::outside), likelihood, temper, priors_.log_amplitude, {Of::listed, i});
+        add(all, base + std::log(1 - priors::outside), likelihood, temper, priors_.log_amplitude,
+            {Of::listed, i});
         add(all, base + std::log(priors::outside), likelihood, temper, priors_.log_amplitude_outside,
             {Of::outside, i});
         continue;

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Posterior probabilities of causes: of no gap, of each set of effects, and of a cause that the catalogue does not
-/// have.
+/// Posterior probabilities of causes: of no gap, of each set of effects, and of a cause that the catalogue
+/// does not have.
 
 #include <string>
 #include <vector>
@@ -10,8 +10,8 @@
 
 namespace plumbline::diagnose {
 
-/// A set of effects as a cause. Manufacturing tolerances beside it, and the forms of its effects (one value for all
-/// joints or one at each, a number of elements), make no other cause.
+/// A set of effects as a cause. Manufacturing tolerances beside it, and the forms of its effects (one value
+/// for all joints or one at each, a number of elements), make no other cause.
 struct CauseProbability {
   std::vector<std::string> labels;  ///< in alphabetical order
   double probability;
@@ -28,8 +28,9 @@ struct Posterior {
   double temper = 1;
 };
 
-/// A hypothesis beside an unknown torque is of the cause that its effects are where that torque is as small as a
-/// discrepancy, and of a cause outside of the catalogue where it is not: in proportion to the priors of its size.
+/// A hypothesis beside an unknown torque is of the cause that its effects are where that torque is as small
+/// as a discrepancy, and of a cause outside of the catalogue where it is not: in proportion to the priors of
+/// its size.
 Posterior posterior(const Study& study, const Findings& findings);
 
 /// The share of the nominal residual, root mean squares, that a hypothesis leaves to discrepancy and unknown

@@ -10,7 +10,7 @@ namespace {
 using Values = std::vector<Eigen::Index>;
 
 /// By series: which values are held out.
-std::vector<Values> heldout_values(const Measurements& measurements, const HeldOut& heldout) {
+std::vector<Values> values_by_series(const Measurements& measurements, const HeldOut& heldout) {
   std::vector<Values> by_series;
   for (const Series& series : measurements.series()) {
     by_series.emplace_back();
@@ -76,8 +76,8 @@ void bootstrap(const std::vector<Sums>& blocks, Ratio& shrink) {
   shrink.ratio_high = std::max(shrink.ratio, ratios[draws - 1 - draws / 40]);
 }
 
-std::map<Channel, ChannelShrink> by_channel(const Measurements& measurements, const std::vector<Values>& values,
-                                            const Residuals& residuals) {
+std::map<Channel, ChannelShrink> by_channel(const Measurements& measurements,
+                                            const std::vector<Values>& values, const Residuals& residuals) {
   std::map<Channel, std::vector<Values>> parts;
   for (std::size_t s = 0; s < values.size(); ++s)
     parts[measurements.series()[s].channel].push_back(values[s]);
@@ -111,7 +111,7 @@ std::map<Channel, double> rms_of(const Measurements& measurements, const std::ve
 Shrink measure_shrink(const Measurements& measurements, const HeldOut& heldout, const VectorXd& before,
                       const VectorXd& after, const NoiseEstimate& noise) {
   Shrink shrink;
-  const std::vector<Values> every = heldout_values(measurements, heldout);
+  const std::vector<Values> every = values_by_series(measurements, heldout);
   std::vector<Values> values = every;
   for (Values& series : values)
     std::erase_if(series, [&](Eigen::Index i) { return noise.shape.outlier[static_cast<std::size_t>(i)]; });

@@ -26,10 +26,11 @@ Verdict decide(const Posterior& posterior) {
   Verdict verdict{CauseVerdict::unknown, 0, posterior.outside >= worth_naming};
   double listed = 0;
   for (const CauseProbability& one : posterior.causes) listed += one.probability;
-  if (posterior.outside > listed) return verdict;
+  if (posterior.causes.empty() || posterior.outside > listed) return verdict;
   const std::size_t others = verdict.or_outside ? 1 : 0;
   for (const CauseProbability& one : posterior.causes)
-    if (verdict.named == 0 || (one.probability >= worth_naming && verdict.named + others < priors::largest_class))
+    if (verdict.named == 0 ||
+        (one.probability >= worth_naming && verdict.named + others < priors::largest_class))
       ++verdict.named;
   verdict.verdict = verdict.named + others > 1 ? CauseVerdict::ambiguous : CauseVerdict::identified;
   return verdict;

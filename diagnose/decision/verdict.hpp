@@ -18,9 +18,10 @@ struct Verdict {
   bool or_outside = false;
 };
 
-/// There is a gap where that is more probable than not. Naming one cause more costs one, a cause that is not named `priors::wrong_over_further_name`: every cause is named
-/// that is more probable than their ratio. A cause outside of the catalogue is one of them; where it is more probable
-/// than all others together, or more of them would have to be named than help anybody, the answer is `unknown`.
+/// There is a gap where that is more probable than not. Naming one cause more costs one, a cause that is not
+/// named `priors::wrong_over_further_name`: every cause is named that is more probable than their ratio. A
+/// cause outside of the catalogue is one of them; where it is more probable than all others together, or more
+/// of them would have to be named than help anybody, the answer is `unknown`.
 Verdict decide(const Posterior& posterior);
 
 }  // namespace plumbline::diagnose

@@ -137,6 +137,8 @@ class Planner {
 
   [[nodiscard]] std::vector<Proposal> best(std::size_t count, Aim aim) {
     constexpr double clear = 2;
+    if (aim == Aim::discriminate)
+      std::erase_if(proposals_, [](const Proposal& one) { return one.log_odds < same_readings; });
     // Among runs of equal benefit, to a few percent, the least demanding comes first.
     const auto grade = [&](const Proposal& one) {
       const double shown = aim == Aim::detect ? std::min(one.gap, clear) : clear;

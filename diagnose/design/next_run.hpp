@@ -32,7 +32,8 @@ enum class Aim { discriminate, detect };
 /// within the operating envelope, that the nominal model and every hypothesis can follow.
 /// \param hypotheses  two or more, fitted to the readings of the study, the best first
 /// \param noise       of these readings, and of those to come
-/// \returns at most `count` runs, the best first; with Aim::detect those that show the gap clearly come first
+/// \returns at most `count` runs, the best first; with Aim::detect those that show the gap clearly come first, else
+///          none in which all hypotheses predict the same readings
 std::vector<Proposal> next_runs(const Study& study, const std::vector<Hypothesis>& hypotheses,
                                 const NoiseEstimate& noise, std::size_t count, Aim aim = Aim::discriminate);
 

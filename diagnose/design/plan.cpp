@@ -10,9 +10,6 @@ namespace {
 
 using Places = std::vector<std::size_t>;
 
-/// A log-likelihood ratio below rounding and the tolerance of fits.
-constexpr double same_effect = 1e-3;
-
 /// The effects that runs detect, and the pairs that they distinguish.
 struct Shown {
   Places seen;
@@ -50,7 +47,7 @@ std::vector<Indistinguishable> indistinguishable(const Comparison& effects, cons
       if (same) members.push_back(j);
     }
     one.exactly = members.size() > 1 && std::all_of(members.begin() + 1, members.end(), [&](std::size_t j) {
-                    return effects.distinguishability(members.front(), j, all) < same_effect;
+                    return effects.distinguishability(members.front(), j, all) < same_readings;
                   });
     result.push_back(std::move(one));
   }

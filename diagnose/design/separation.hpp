@@ -13,6 +13,8 @@ namespace plumbline::diagnose {
 /// Two hypotheses are distinguished by an expected log-likelihood ratio above this: the worse one is then,
 /// were both equally probable before, not worth naming beside the better one.
 inline const double told_apart = std::log(priors::wrong_over_further_name);
+/// Below this their readings are the same, to rounding and the tolerance of fits.
+inline constexpr double same_readings = 1e-3;
 
 /// A linearised alternative: the difference of two predictions in standard deviations, and the derivatives of
 /// the alternative by its parameters, zero of those that cannot move.

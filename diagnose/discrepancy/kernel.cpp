@@ -55,7 +55,8 @@ CommandStates::CommandStates(const Experiment& experiment) {
   }
   for (std::size_t r = 0; r < command.size(); ++r) {
     const double most = reach[experiment.runs[r].holds_end_point()];
-    // Where nothing is imposed at all, as in a sag test, the runs are poses, and nothing is known to be at rest.
+    // Where nothing is imposed at all, as in a sag test, the runs are poses, and nothing is known to be at
+    // rest.
     knows_rest.push_back(most > 1e-12);
     if (knows_rest.back())
       for (auto& one : command[r]) one /= most;
@@ -105,7 +106,8 @@ class Kernel {
     double common = smooth(a, b), own = 0;
     if (knows_rest) common -= smooth(a, rest) * smooth(rest, b);
     if (p.run == q.run && knows_rest)
-      own = matern(std::abs(a.progress - b.progress), length_) - matern(a.progress, length_) * matern(b.progress, length_);
+      own = matern(std::abs(a.progress - b.progress), length_) -
+            matern(a.progress, length_) * matern(b.progress, length_);
     const double alike = states_.alike(static_cast<Eigen::Index>(p.run), static_cast<Eigen::Index>(q.run));
     return (1 - priors::own_share) * alike * common + priors::own_share * own;
   }
@@ -155,9 +157,10 @@ Factor incomplete_cholesky(const Kernel& kernel, Eigen::Index n) {
 
 }  // namespace
 
-DiscrepancyBasis discrepancy_basis(const CommandStates& states, const Measurements& measurements, const Block& block,
-                                   const std::vector<double>& lengths) {
-  const Factor factor = incomplete_cholesky(Kernel(states, measurements, block, lengths.front()), block.count);
+DiscrepancyBasis discrepancy_basis(const CommandStates& states, const Measurements& measurements,
+                                   const Block& block, const std::vector<double>& lengths) {
+  const Factor factor =
+      incomplete_cholesky(Kernel(states, measurements, block, lengths.front()), block.count);
   DiscrepancyBasis result{factor.columns, {}};
   const Eigen::Index rank = factor.columns.cols();
   const MatrixXd at_pivots = factor.columns(factor.pivots, Eigen::all);

@@ -26,15 +26,15 @@ struct CommandStates {
   std::vector<bool> knows_rest;
 };
 
-/// A basis for the discrepancies of a block at several correlation lengths: columns C C' is the covariance of each
-/// length at the values, where C C' = phi G phi', but for a small share of its trace.
+/// A basis for the discrepancies of a block at several correlation lengths: columns C C' is the covariance of
+/// each length at the values, where C C' = phi G phi', but for a small share of its trace.
 struct DiscrepancyBasis {
   MatrixXd phi;                      ///< values x columns
   std::vector<MatrixXd> covariance;  ///< G of each length
 };
 
 /// \param lengths  over the largest command, ascending
-DiscrepancyBasis discrepancy_basis(const CommandStates& states, const Measurements& measurements, const Block& block,
-                                   const std::vector<double>& lengths);
+DiscrepancyBasis discrepancy_basis(const CommandStates& states, const Measurements& measurements,
+                                   const Block& block, const std::vector<double>& lengths);
 
 }  // namespace plumbline::diagnose

@@ -120,7 +120,8 @@ Experiment as_measured(Experiment experiment, const Prediction& predicted) {
 
 std::vector<JointShare> shares_by_missing_torque(const Study& study, const NoiseEstimate& noise) {
   using Name = Channel::Name;
-  const double scale = std::max({noise.scale_of(Name::q), noise.scale_of(Name::Fx), noise.scale_of(Name::Fy)});
+  const double scale =
+      std::max({noise.scale_of(Name::q), noise.scale_of(Name::Fx), noise.scale_of(Name::Fy)});
   std::vector<double> weight;
   for (const auto& torques : missing_torques(study, study.experiment()))
     weight.push_back(excess(torques, scale));

@@ -3,8 +3,8 @@
 /// The torque that the nominal statics miss at each joint, and which joints it points at.
 
 #include "diagnose/discrepancy/joint_share.hpp"
-#include "diagnose/noise/noise_estimate.hpp"
 #include "diagnose/inference/study.hpp"
+#include "diagnose/noise/noise_estimate.hpp"
 
 namespace plumbline::diagnose {
 

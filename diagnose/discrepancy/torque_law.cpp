@@ -15,7 +15,8 @@ constexpr std::size_t folds = 5;
 
 /// The values of a series.
 auto values_of(const Series& series, const VectorXd& values) {
-  return values.segment(static_cast<Eigen::Index>(series.first), static_cast<Eigen::Index>(series.readings.size()));
+  return values.segment(static_cast<Eigen::Index>(series.first),
+                        static_cast<Eigen::Index>(series.readings.size()));
 }
 
 /// A rig, what it gives, and how its channels answer to a torque at each elastic joint.
@@ -140,8 +141,8 @@ std::vector<std::size_t> first_folds(const Study& study) {
   return first;
 }
 
-LawFolds sums_of(const Study& study, const Response& rig, const Placement& place,
-                 const VectorXd& residual, const NoiseEstimate& noise) {
+LawFolds sums_of(const Study& study, const Response& rig, const Placement& place, const VectorXd& residual,
+                 const NoiseEstimate& noise) {
   const Eigen::Index own = terms_of(place), width = static_cast<Eigen::Index>(place.size()) * own;
   const LawSums none{Eigen::MatrixXd::Zero(width, width), Eigen::VectorXd::Zero(width), 0};
   LawFolds result{std::vector<LawSums>(2 * folds, none), 2};
@@ -155,7 +156,8 @@ LawFolds sums_of(const Study& study, const Response& rig, const Placement& place
           const auto reading = static_cast<Eigen::Index>(series.readings[i]);
           slopes.row(static_cast<Eigen::Index>(series.first + i))
               .segment(static_cast<Eigen::Index>(b) * own, own) +=
-              answer(reading) / (series.sigma * noise.of(series.channel).scale) * terms.row(reading).head(own);
+              answer(reading) / (series.sigma * noise.of(series.channel).scale) *
+              terms.row(reading).head(own);
         }
       }
     });
@@ -213,7 +215,8 @@ double squares(const Study& study, const NoiseEstimate& noise, const VectorXd& r
 }
 
 /// What laws of the places of `law` are to explain: what is left with it in the rig, and what it gives there.
-VectorXd to_explain(const Study& study, const NoiseEstimate& noise, const Response& with, const TorqueLaw& law) {
+VectorXd to_explain(const Study& study, const NoiseEstimate& noise, const Response& with,
+                    const TorqueLaw& law) {
   VectorXd residual = without_outliers(noise, study.residual(with.given));
   for (const JointTorqueLaw& one : law.laws)
     for_each_part(study, with, one, [&](std::size_t a, std::size_t run, const Eigen::MatrixXd& terms) {
@@ -223,7 +226,8 @@ VectorXd to_explain(const Study& study, const NoiseEstimate& noise, const Respon
         const auto answer = with.per_torque[a][run].col(column_of(series.channel));
         for (std::size_t i = 0; i < series.readings.size(); ++i) {
           const auto reading = static_cast<Eigen::Index>(series.readings[i]);
-          residual(static_cast<Eigen::Index>(series.first + i)) += answer(reading) * torque(reading) / series.sigma;
+          residual(static_cast<Eigen::Index>(series.first + i)) +=
+              answer(reading) * torque(reading) / series.sigma;
         }
       }
     });
@@ -248,8 +252,8 @@ TorqueLaw between(const TorqueLaw& from, const TorqueLaw& to, double share) {
 /// to how the chain answers that has the law, at the deflections that it then has: Gauss and Newton's
 /// iteration, by shorter steps where a whole one does not help.
 TorqueLaw settled(const Study& seen, const NoiseEstimate& noise, TorqueLaw law) {
-  constexpr int rounds = 20;
-  constexpr double noticeable = 1e-3;
+  constexpr int rounds = 6;
+  constexpr double noticeable = 1e-2;
   double least = left_with(seen, noise, law);
   for (int halved = 0; !std::isfinite(least) && halved < 4; ++halved) {
     for (JointTorqueLaw& one : law.laws) one.coefficients /= 2;
@@ -259,8 +263,8 @@ TorqueLaw settled(const Study& seen, const NoiseEstimate& noise, TorqueLaw law) 
     const Response with = response(seen, rig_with_law(seen, law));
     if (!with.given.reached) break;
     TorqueLaw next = law;
-    const ChosenLaw fitted = fit_law(law.shape, law.laws.size(),
-                                     sums_of(seen, with, law.laws, to_explain(seen, noise, with, law), noise));
+    const ChosenLaw fitted = fit_law(
+        law.shape, law.laws.size(), sums_of(seen, with, law.laws, to_explain(seen, noise, with, law), noise));
     take(fitted.coefficients, next);
     double left = std::numeric_limits<double>::infinity();
     for (const double share : {1.0, 0.5, 0.25, 0.1}) {
@@ -314,8 +318,7 @@ std::optional<TorqueLaw> fit_torque_law(const Study& seen, const NoiseEstimate& 
     // Laws of their own take the shape of the one law that all joints share, which was looked at just before.
     if (place.size() > 1) shape.profile = {};
     if (place.size() > 1 && !affordable(shape, place.size(), values)) continue;
-    const ChosenLaw chosen =
-        place.size() > 1 ? fit_law(shape, place.size(), sums) : choose_law(sums, values);
+    const ChosenLaw chosen = place.size() > 1 ? fit_law(shape, place.size(), sums) : choose_law(sums, values);
     shape = chosen.shape;
     // One joint alone is the least that can be said.
     constexpr double clearly = 0.8;

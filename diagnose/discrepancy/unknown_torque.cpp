@@ -9,8 +9,8 @@ namespace plumbline::diagnose {
 namespace {
 
 constexpr Eigen::Index knots = 21, components = 8;
-constexpr double length = 0.35;  // of the process, over the largest deflection
-constexpr double beyond = 1.3;   // the deflections may be so many times those of the nominal model
+constexpr double length = 0.35;      // of the process, over the largest deflection
+constexpr double reach_share = 1.3;  // the deflections may be so many times those of the nominal model
 
 double matern(double distance) {
   const double z = std::sqrt(5.0) * std::abs(distance) / length;
@@ -49,7 +49,8 @@ Effect row(std::vector<double> reach, double size) {
               [](const Place&) {
                 std::vector<ParameterRange> all;
                 for (Eigen::Index c = 0; c < components; ++c)
-                  all.push_back({numbered("w", static_cast<std::size_t>(c)), "ratio", Coordinate::plain, 0.3, -30, 30, 1});
+                  all.push_back({numbered("w", static_cast<std::size_t>(c)), "ratio", Coordinate::plain, 0.3,
+                                 -30, 30, 1});
                 return all;
               },
           .add =
@@ -62,7 +63,8 @@ Effect row(std::vector<double> reach, double size) {
 
 std::vector<double> reaches(const Study& study) {
   std::vector<double> reach = study.excitation().deflection;
-  for (double& one : reach) one = beyond * std::max(one, 1e-3 * std::max(study.excitation().largest, 1e-3));
+  for (double& one : reach)
+    one = reach_share * std::max(one, 1e-3 * std::max(study.excitation().largest, 1e-3));
   return reach;
 }
 

@@ -11,9 +11,10 @@ namespace plumbline::diagnose {
 /// The id of the rows.
 inline constexpr const char* unknown_torque = "unknown_torque";
 
-/// Rows of a torque of one joint that is a smooth function of its deflection, nothing at rest: a Gaussian process
-/// of covariance Matern 5/2, small and large, over the deflections of the nominal model and some way beyond. Its
-/// parameters are the coordinates of the process along its principal components, each of variance one.
+/// Rows of a torque of one joint that is a smooth function of its deflection, nothing at rest: a Gaussian
+/// process of covariance Matern 5/2, small and large, over the deflections of the nominal model and some way
+/// beyond. Its parameters are the coordinates of the process along its principal components, each of variance
+/// one.
 std::shared_ptr<const std::vector<Effect>> unknown_torques(const Study& study);
 
 /// The torques of a row at its knots, at these parameters. \param joint  from 0

@@ -202,7 +202,9 @@ class Guesser {
   void name_by_comment() {
     for (std::size_t l = 0; l < cut_.first_row; ++l) {
       if (!lines_[l].comment) continue;
-      const std::string text = lines_[l].text.substr(lines_[l].text.find_first_not_of(" \t#%/"));
+      const std::size_t first = lines_[l].text.find_first_not_of(" \t#%/");
+      if (first == std::string::npos) continue;  // a line of comment marks
+      const std::string text = lines_[l].text.substr(first);
       for (const char delimiter : {cut_.delimiter, ' ', ','}) {
         const std::vector<std::string> words = fields_of(text, delimiter);
         if (words.size() != cut_.columns) continue;

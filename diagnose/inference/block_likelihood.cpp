@@ -38,16 +38,16 @@ double log_sum(const VectorXd& v) {
   return most + std::log((v.array() - most).exp().sum());
 }
 
-BlockLikelihood::BlockLikelihood(const Measurements& measurements, const Block& block, const CommandStates& states,
-                                 const Hyperpriors& priors, const NoiseShape& shape, double unit)
+BlockLikelihood::BlockLikelihood(const Measurements& measurements, const Block& block,
+                                 const CommandStates& states, const Hyperpriors& priors,
+                                 const NoiseShape& shape, double unit)
     : priors_(priors) {
   for (Eigen::Index i = 0; i < block.count; ++i)
     if (!shape.outlier[static_cast<std::size_t>(block.first + i)]) kept_.push_back(i);
   lay_grid(unit);
   const bool flexible = priors.amplitude.size() > 1;
-  const DiscrepancyBasis basis = flexible
-                                     ? discrepancy_basis(states, measurements, block, priors.length)
-                                     : DiscrepancyBasis{MatrixXd(block.count, 0), {MatrixXd(0, 0)}};
+  const DiscrepancyBasis basis = flexible ? discrepancy_basis(states, measurements, block, priors.length)
+                                          : DiscrepancyBasis{MatrixXd(block.count, 0), {MatrixXd(0, 0)}};
   for (std::size_t k = 0; k < priors.correlation.size(); ++k) {
     noise_.push_back(whitening(measurements, block, shape, k));
     Factors factors = factors_of(whiten(noise_.back(), kept(basis.phi)));
@@ -63,7 +63,8 @@ void BlockLikelihood::lay_grid(double unit) {
   constexpr int fewest = 10, most = 24;
   // From well below the declared noise to the whole residual.
   const double low = 0.25, high = std::max(4.0, 1.3 * unit);
-  const int steps = std::clamp(static_cast<int>(std::ceil(std::log(high / low) / std::log(step))), fewest, most);
+  const int steps =
+      std::clamp(static_cast<int>(std::ceil(std::log(high / low) / std::log(step))), fewest, most);
   VectorXd prior(steps + 1);
   for (int k = 0; k <= steps; ++k) {
     const double log_scale = std::log(low) + std::log(high / low) * k / steps;
@@ -79,10 +80,16 @@ void BlockLikelihood::lay_grid(double unit) {
 }
 
 BlockLikelihood::Whitening BlockLikelihood::whitening(const Measurements& measurements, const Block& block,
-                                                      const NoiseShape& shape, std::size_t correlation) const {
+                                                      const NoiseShape& shape,
+                                                      std::size_t correlation) const {
   const auto n = static_cast<Eigen::Index>(kept_.size());
-  Whitening noise{priors_.correlation[correlation], priors_.log_correlation[correlation], 0, VectorXd(n),
-                  VectorXd::Zero(n), {}, {}};
+  Whitening noise{priors_.correlation[correlation],
+                  priors_.log_correlation[correlation],
+                  0,
+                  VectorXd(n),
+                  VectorXd::Zero(n),
+                  {},
+                  {}};
   for (Eigen::Index j = 0; j < n; ++j) {
     const Eigen::Index i = block.first + kept_[static_cast<std::size_t>(j)];
     const ReadingPlace& here = measurements.places()[static_cast<std::size_t>(i)];
@@ -180,7 +187,8 @@ BlockLikelihood::Look BlockLikelihood::look(const MatrixXd& columns) const {
 }
 
 template <class Visit>
-void BlockLikelihood::for_each_cell(const Look& look, const std::vector<double>& log_amplitude, Visit visit) const {
+void BlockLikelihood::for_each_cell(const Look& look, const std::vector<double>& log_amplitude,
+                                    Visit visit) const {
   for (std::size_t k = 0; k < noise_.size(); ++k)
     for (std::size_t l = 0; l < rotation_[k].size(); ++l)
       for (Eigen::Index cell = 0; cell < inverse_square_.size(); ++cell) {
@@ -189,8 +197,8 @@ void BlockLikelihood::for_each_cell(const Look& look, const std::vector<double>&
       }
 }
 
-void BlockLikelihood::add_slopes(const Look& look, const std::vector<double>& log_amplitude, VectorXd& gradient,
-                                 MatrixXd& information) const {
+void BlockLikelihood::add_slopes(const Look& look, const std::vector<double>& log_amplitude,
+                                 VectorXd& gradient, MatrixXd& information) const {
   const Eigen::Index count = gradient.size();
   std::vector<std::vector<VectorXd>> weight(noise_.size());
   for (std::size_t k = 0; k < noise_.size(); ++k)
@@ -218,7 +226,8 @@ VectorXd BlockLikelihood::shrunk(const Rotation& rotation, Eigen::Index cell) co
   return -rotation.inverse.row(cell).transpose() / inverse_square_(cell);
 }
 
-BlockLikelihood::Split BlockLikelihood::split(const Look& look, const std::vector<double>& log_amplitude) const {
+BlockLikelihood::Split BlockLikelihood::split(const Look& look,
+                                              const std::vector<double>& log_amplitude) const {
   Split result{VectorXd::Zero(rotation_.front().front().back.rows()), 0, 0, 0};
   std::vector<std::vector<VectorXd>> share(noise_.size());
   for (std::size_t k = 0; k < noise_.size(); ++k)

@@ -23,10 +23,10 @@ class BlockLikelihood {
 
   /// What the grid says of one residual and its derivatives.
   struct Look {
-    std::vector<double> log_by_amplitude;             ///< log likelihood, all else summed out
-    std::vector<std::vector<VectorXd>> log_cell;      ///< [correlation][length]: by amplitude and scale
-    std::vector<MatrixXd> square;                     ///< [correlation]: whitened products
-    std::vector<std::vector<MatrixXd>> rotated;       ///< [correlation][length]
+    std::vector<double> log_by_amplitude;         ///< log likelihood, all else summed out
+    std::vector<std::vector<VectorXd>> log_cell;  ///< [correlation][length]: by amplitude and scale
+    std::vector<MatrixXd> square;                 ///< [correlation]: whitened products
+    std::vector<std::vector<MatrixXd>> rotated;   ///< [correlation][length]
   };
   /// \param columns  the residual, then its derivatives by parameters; all values of the block
   [[nodiscard]] Look look(const MatrixXd& columns) const;
@@ -66,8 +66,8 @@ class BlockLikelihood {
   };
 
   void lay_grid(double unit);
-  [[nodiscard]] Whitening whitening(const Measurements& measurements, const Block& block, const NoiseShape& shape,
-                                    std::size_t correlation) const;
+  [[nodiscard]] Whitening whitening(const Measurements& measurements, const Block& block,
+                                    const NoiseShape& shape, std::size_t correlation) const;
   [[nodiscard]] Rotation rotation(const Whitening& noise, const MatrixXd& triangle, const MatrixXd& phi,
                                   const MatrixXd& covariance, double unit) const;
   [[nodiscard]] MatrixXd kept(const MatrixXd& columns) const { return columns(kept_, Eigen::all); }

@@ -56,7 +56,8 @@ std::vector<std::vector<Element>> one_more(const std::vector<Element>& elements,
 
 }  // namespace
 
-InitialGuesses initial_guesses_of_order(const Study& study, const Hypothesis& fitted, std::size_t effect, const Effect& row) {
+InitialGuesses initial_guesses_of_order(const Study& study, const Hypothesis& fitted, std::size_t effect,
+                                        const Effect& row) {
   const std::vector<EffectAt>& effects = fitted.candidate.effects;
   const std::vector<ParameterRange> own = study.ranges(effects[effect]),
                                     ranges = study.ranges(EffectAt(row, effects[effect].joint));

@@ -36,14 +36,15 @@ std::vector<Probe> probes(const Study& study, const EffectAt& at) {
     std::vector<double> from = known.points[s];
     const std::vector<double> to = how.large_step ? from : std::vector<double>();
     for (const std::size_t p : growing) from[p] = 0;
-    const bool again = std::any_of(result.begin(), result.end(), [&](const Probe& one) { return one.at == from && one.to == to; });
+    const bool again = std::any_of(result.begin(), result.end(),
+                                   [&](const Probe& one) { return one.at == from && one.to == to; });
     if (!again) result.push_back({at, from, growing, to});
   }
   return result;
 }
 
-/// What the hypothesis leaves, and what its own parameters can follow; beneath the values a row for each of its
-/// parameters that has a Gaussian prior.
+/// What the hypothesis leaves, and what its own parameters can follow; beneath the values a row for each of
+/// its parameters that has a Gaussian prior.
 class Remainder {
  public:
   Remainder(const Study& study, const VectorXd& weight, const Hypothesis& h) : weight_(weight) {
@@ -96,8 +97,8 @@ class Remainder {
 };
 
 /// Best step within bounds along the columns. \returns what is left of the sum of squares
-double best_step(const VectorXd& residual, const std::vector<VectorXd>& columns, const std::vector<ParameterRange>& ranges,
-                 const Probe& probe, std::vector<double>& start) {
+double best_step(const VectorXd& residual, const std::vector<VectorXd>& columns,
+                 const std::vector<ParameterRange>& ranges, const Probe& probe, std::vector<double>& start) {
   start = probe.at;
   VectorXd left = residual;
   double charge = 0;
@@ -141,15 +142,18 @@ std::vector<double> joined(std::vector<double> first, const std::vector<double>&
 }
 
 /// The own parameters within their bounds, moved.
-std::vector<double> moved(const std::vector<ParameterRange>& ranges, const Hypothesis& h, const VectorXd& by) {
+std::vector<double> moved(const std::vector<ParameterRange>& ranges, const Hypothesis& h,
+                          const VectorXd& by) {
   std::vector<double> parameters = h.parameters;
   for (std::size_t p = 0; p < ranges.size(); ++p)
-    parameters[p] = std::clamp(parameters[p] + by(static_cast<Eigen::Index>(p)), ranges[p].low, ranges[p].high);
+    parameters[p] =
+        std::clamp(parameters[p] + by(static_cast<Eigen::Index>(p)), ranges[p].low, ranges[p].high);
   return parameters;
 }
 
 /// What a probe changes of the residual when it goes from nothing to `start`.
-VectorXd change_of(const Probe& probe, const std::vector<VectorXd>& columns, const std::vector<double>& start) {
+VectorXd change_of(const Probe& probe, const std::vector<VectorXd>& columns,
+                   const std::vector<double>& start) {
   VectorXd change = VectorXd::Zero(columns.front().size());
   for (std::size_t c = 0; c < columns.size(); ++c) {
     const std::size_t p = probe.growing[c];
@@ -168,7 +172,7 @@ Prospect prospect_of(const Study& study, const Remainder& remainder, const Hypot
   const bool small = probe.is_small();
   const double cost = columns.empty() ? remainder.residual().squaredNorm()
                       : small         ? best_step(remainder.residual(), beyond, ranges, probe, start)
-                                      : best_share(remainder.residual(), beyond.front(), ranges, probe, start);
+                              : best_share(remainder.residual(), beyond.front(), ranges, probe, start);
   if (columns.empty()) start = probe.at;
   Prospect prospect{probe.effect, {{joined(h.parameters, start)}, 1}, cost};
   if (small) prospect.starts.points.push_back(joined(h.parameters, probe.at));
@@ -183,8 +187,8 @@ Prospect prospect_of(const Study& study, const Remainder& remainder, const Hypot
 
 }  // namespace
 
-std::vector<Prospect> forecast(const Study& study, const VectorXd& weight, const std::vector<EffectAt>& possible,
-                               const Hypothesis& h) {
+std::vector<Prospect> forecast(const Study& study, const VectorXd& weight,
+                               const std::vector<EffectAt>& possible, const Hypothesis& h) {
   std::vector<Probe> all;
   for (const EffectAt& at : possible)
     if (!h.candidate.has(at))
@@ -230,7 +234,8 @@ std::vector<Prospect> forecast(const Study& study, const VectorXd& weight, const
       prospects.back() = std::move(prospect);
     }
   }
-  std::sort(prospects.begin(), prospects.end(), [](const Prospect& a, const Prospect& b) { return a.cost < b.cost; });
+  std::sort(prospects.begin(), prospects.end(),
+            [](const Prospect& a, const Prospect& b) { return a.cost < b.cost; });
   return prospects;
 }
 

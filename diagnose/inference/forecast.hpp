@@ -17,7 +17,7 @@ struct Prospect {
 /// prediction. An effect whose derivative depends on where it acts is probed at several places; one of which
 /// little acts otherwise than much, by a finite step.
 /// \param weight  by value: one over its noise in declared sigmas, zero of outliers
-std::vector<Prospect> forecast(const Study& study, const VectorXd& weight, const std::vector<EffectAt>& possible,
-                               const Hypothesis& beside);
+std::vector<Prospect> forecast(const Study& study, const VectorXd& weight,
+                               const std::vector<EffectAt>& possible, const Hypothesis& beside);
 
 }  // namespace plumbline::diagnose

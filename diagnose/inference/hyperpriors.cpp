@@ -20,8 +20,8 @@ double small(double size) {
 Hyperpriors full_model() {
   Hyperpriors p;
   p.amplitude = {0, 0.01, 0.02, 0.04, 0.08, 0.16, 0.32, 0.64, 1.28};
-  // Beside a cause any order of magnitude is as probable, with an exponential end; where the cause is outside of
-  // the catalogue any size is.
+  // Beside a cause any order of magnitude is as probable, with an exponential end; where the cause is outside
+  // of the catalogue any size is.
   double beside = 0, outside = 0;
   for (const double a : p.amplitude) beside += small(a), outside += a;
   for (const double a : p.amplitude) {

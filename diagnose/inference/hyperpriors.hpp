@@ -1,15 +1,15 @@
 #pragma once
 /// \file
-/// What the likelihood sums out, on grids with their priors: the size and length of the discrepancy, and the scale
-/// and autocorrelation of the noise.
+/// What the likelihood sums out, on grids with their priors: the size and length of the discrepancy, and the
+/// scale and autocorrelation of the noise.
 
 #include <vector>
 
 namespace plumbline::diagnose {
 
 struct Hyperpriors {
-  /// Sizes of the discrepancy over the root mean square of the nominal residual, the first of them zero, and their
-  /// prior beside a cause of the catalogue: none, or small.
+  /// Sizes of the discrepancy over the root mean square of the nominal residual, the first of them zero, and
+  /// their prior beside a cause of the catalogue: none, or small.
   std::vector<double> amplitude, log_amplitude;
   /// The same where the cause is outside of the catalogue, and effects only imitate it: of any size but none.
   std::vector<double> log_amplitude_outside;

@@ -96,7 +96,8 @@ void weigh(const Study& study, Hypothesis& h) {
     // Posterior precisions along the principal axes, in units of the prior's width: the readings never make a
     // parameter less certain than it was.
     const VectorXd unit = Eigen::Map<const VectorXd>(width.data(), static_cast<Eigen::Index>(width.size()));
-    const MatrixXd scaled = unit.asDiagonal() * MatrixXd(h.look.information(inside, inside)) * unit.asDiagonal();
+    const MatrixXd scaled =
+        unit.asDiagonal() * MatrixXd(h.look.information(inside, inside)) * unit.asDiagonal();
     for (const double precision : VectorXd(Eigen::SelfAdjointEigenSolver<MatrixXd>(scaled).eigenvalues()))
       h.volume.precisions.push_back(std::max(0.0, precision));
     h.volume.density += unit.array().log().sum();
@@ -149,7 +150,8 @@ Hypothesis maximised(const Study& study, const Likelihood& likelihood, const Can
       next.parameters = best.parameters;
       for (std::size_t f = 0; f < free.size(); ++f) {
         const auto p = static_cast<std::size_t>(free[f]);
-        next.parameters[p] = std::clamp(best.parameters[p] + step(static_cast<Eigen::Index>(f)), ranges[p].low, ranges[p].high);
+        next.parameters[p] = std::clamp(best.parameters[p] + step(static_cast<Eigen::Index>(f)),
+                                        ranges[p].low, ranges[p].high);
       }
       if (step.allFinite() && evaluate(next) && next.log_posterior > best.log_posterior) {
         gain = next.log_posterior - best.log_posterior;
@@ -179,7 +181,8 @@ Hypothesis maximised(const Study& study, const Likelihood& likelihood, const Can
     h.candidate = candidate;
     h.parameters = start;
     if (predict_into(study, h, false))
-      order.emplace_back(-likelihood.look(h.residual).log_likelihood - log_density(ranges, start, effort), &start);
+      order.emplace_back(-likelihood.look(h.residual).log_likelihood - log_density(ranges, start, effort),
+                         &start);
   }
   std::sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   if (order.size() > starts.refined) order.resize(starts.refined);

@@ -7,11 +7,14 @@
 
 namespace plumbline::diagnose {
 
-/// The share of the prior's volume that the readings leave to the parameters of a hypothesis, by Laplace's method.
+/// The share of the prior's volume that the readings leave to the parameters of a hypothesis, by Laplace's
+/// method.
 struct Volume {
-  double density = 0;              ///< log prior density times the prior's width, of those inside their bounds
-  std::vector<double> precisions;  ///< of the readings along the principal axes, in units of the prior's width
-  /// Of parameters at a bound, beyond which they would go: slopes of the log likelihood, over the prior density.
+  double density = 0;  ///< log prior density times the prior's width, of those inside their bounds
+  std::vector<double>
+      precisions;  ///< of the readings along the principal axes, in units of the prior's width
+  /// Of parameters at a bound, beyond which they would go: slopes of the log likelihood, over the prior
+  /// density.
   std::vector<double> slopes;
   /// Its logarithm where the likelihood counts to this power.
   [[nodiscard]] double log_at(double temper) const;
@@ -27,20 +30,21 @@ struct Hypothesis {
   double log_posterior = 0;  ///< of the parameters, up to a constant: likelihood times prior density
   double log_prior = 0;      ///< of the candidate
   Volume volume;
-  double log_evidence = 0;   ///< logarithm of prior probability times marginal likelihood
-  bool converged = false;    ///< the rig can follow the experiment
-  bool refined = false;      ///< maximised beside a discrepancy
+  double log_evidence = 0;  ///< logarithm of prior probability times marginal likelihood
+  bool converged = false;   ///< the rig can follow the experiment
+  bool refined = false;     ///< maximised beside a discrepancy
 };
 
 /// How far a maximisation goes.
 struct Effort {
   int iterations;
-  double gain;        ///< it ends where an iteration gains less, in log likelihood
+  double gain;                    ///< it ends where an iteration gains less, in log likelihood
   bool likelihood_alone = false;  ///< but for Gaussian priors: the most likely parameters
 };
 
-/// Maximises likelihood times prior density within the bounds of the parameters, from a start: Gauss and Newton's
-/// steps, damped; and weighs what is found, by Laplace's method. Not converged where the rig cannot follow the experiment at the start.
+/// Maximises likelihood times prior density within the bounds of the parameters, from a start: Gauss and
+/// Newton's steps, damped; and weighs what is found, by Laplace's method. Not converged where the rig cannot
+/// follow the experiment at the start.
 Hypothesis maximised(const Study& study, const Likelihood& likelihood, const Candidate& candidate,
                      const std::vector<double>& start, const Effort& effort);
 

@@ -42,7 +42,8 @@ double log_inlier(double distance) {
   return std::log((1 - outlier_share) / std::sqrt(2 * std::numbers::pi)) - distance * distance / 2;
 }
 
-std::vector<double> log_posterior(const std::vector<double>& log_likelihood, const std::vector<double>& log_prior) {
+std::vector<double> log_posterior(const std::vector<double>& log_likelihood,
+                                  const std::vector<double>& log_prior) {
   std::vector<double> joint(log_likelihood.size());
   for (std::size_t a = 0; a < joint.size(); ++a) joint[a] = log_likelihood[a] + log_prior[a];
   const double all = log_sum(as_vector(joint));
@@ -50,8 +51,8 @@ std::vector<double> log_posterior(const std::vector<double>& log_likelihood, con
   return joint;
 }
 
-Likelihood::Likelihood(const Measurements& measurements, const CommandStates& states, const Hyperpriors& priors,
-                       NoiseShape shape, const VectorXd& nominal_residual)
+Likelihood::Likelihood(const Measurements& measurements, const CommandStates& states,
+                       const Hyperpriors& priors, NoiseShape shape, const VectorXd& nominal_residual)
     : measurements_(measurements), priors_(priors), shape_(std::move(shape)) {
   for (const Block& block : measurements.blocks())
     blocks_.emplace_back(measurements, block, states, priors_, shape_,
@@ -84,8 +85,9 @@ std::vector<double> Likelihood::together(const std::vector<BlockLikelihood::Look
   return sum;
 }
 
-/// Readings that are marked stand apart from their block: each has a density of its own about the discrepancy that
-/// the others show, at the most probable scale. A model that explains a marked reading makes it one like others.
+/// Readings that are marked stand apart from their block: each has a density of its own about the discrepancy
+/// that the others show, at the most probable scale. A model that explains a marked reading makes it one like
+/// others.
 void Likelihood::add_marked(const std::vector<BlockLikelihood::Split>& at, const VectorXd& residual,
                             const MatrixXd& jacobian, Look& look) const {
   VectorXd left = residual, sigma = shape_.relative;
@@ -120,7 +122,8 @@ Look Likelihood::look(const VectorXd& residual, const MatrixXd& jacobian) const 
   Look result;
   result.log_by_amplitude = together(blocks);
   std::vector<double> joint(result.log_by_amplitude.size());
-  for (std::size_t a = 0; a < joint.size(); ++a) joint[a] = result.log_by_amplitude[a] + priors_.log_amplitude[a];
+  for (std::size_t a = 0; a < joint.size(); ++a)
+    joint[a] = result.log_by_amplitude[a] + priors_.log_amplitude[a];
   result.log_likelihood = log_sum(as_vector(joint));
   const std::vector<double> posterior = log_posterior(result.log_by_amplitude, priors_.log_amplitude);
   result.gradient = VectorXd::Zero(jacobian.cols());

@@ -40,7 +40,9 @@ class Likelihood {
   /// \param residual  flat, declared sigmas
   /// \param jacobian  of the residual by the parameters; no columns: the likelihood alone
   [[nodiscard]] Look look(const VectorXd& residual, const MatrixXd& jacobian) const;
-  [[nodiscard]] Look look(const VectorXd& residual) const { return look(residual, MatrixXd(residual.size(), 0)); }
+  [[nodiscard]] Look look(const VectorXd& residual) const {
+    return look(residual, MatrixXd(residual.size(), 0));
+  }
   [[nodiscard]] Decomposition decompose(const VectorXd& residual) const;
 
   /// Leaves out correlations that are negligible where this residual is left.
@@ -65,10 +67,11 @@ class Likelihood {
 };
 
 /// Logarithms of the posterior of the amplitudes, from likelihoods and their prior.
-std::vector<double> log_posterior(const std::vector<double>& log_likelihood, const std::vector<double>& log_prior);
+std::vector<double> log_posterior(const std::vector<double>& log_likelihood,
+                                  const std::vector<double>& log_prior);
 
-/// Log density of a reading that is an outlier, at a distance in standard deviations of the noise, and of one that
-/// is none: with their probabilities.
+/// Log density of a reading that is an outlier, at a distance in standard deviations of the noise, and of one
+/// that is none: with their probabilities.
 double log_outlier(double distance);
 double log_inlier(double distance);
 

@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// The measured values of an experiment, as they were read, each with its place. Nothing of them ever changes.
+/// The measured values of an experiment, as they were read, each with its place. Nothing of them ever
+/// changes.
 
 #include <Eigen/Core>
 #include <vector>
@@ -33,8 +34,8 @@ struct ReadingPlace {
   std::size_t run, reading;
 };
 
-/// Every vector of residuals in the diagnosis is in the order of this flat list: channel by channel, in each run
-/// by run.
+/// Every vector of residuals in the diagnosis is in the order of this flat list: channel by channel, in each
+/// run by run.
 class Measurements {
  public:
   explicit Measurements(const Experiment& experiment);

@@ -32,7 +32,8 @@ double share_of_order(const Effect& effect) {
 double places_of(const Study& study, const EffectAt& at) {
   if (at.joint == 0) return 1;
   double places = 0;
-  for (const EffectAt& one : possible_effects(study)) places += one.effect->at_joint && one.effect->id == at.effect->id;
+  for (const EffectAt& one : possible_effects(study))
+    places += one.effect->at_joint && one.effect->id == at.effect->id;
   return std::max(1.0, places);
 }
 

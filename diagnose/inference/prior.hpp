@@ -11,15 +11,15 @@ namespace plumbline::diagnose {
 /// Logarithm of the prior probability that these effects act at these places.
 double log_prior(const Study& study, const Candidate& candidate);
 
-/// The prior density of one parameter: Gaussian about zero where it has a tolerance; Cauchy about zero, on the
-/// side that is physical, where zero is the nominal model or the parameter is
-/// a threshold; else uniform over its range.
+/// The prior density of one parameter: Gaussian about zero where it has a tolerance; Cauchy about zero, on
+/// the side that is physical, where zero is the nominal model or the parameter is a threshold; else uniform
+/// over its range.
 class ParameterPrior {
  public:
   explicit ParameterPrior(const ParameterRange& range);
   [[nodiscard]] double log_density(double value) const;
-  /// Curvature of a quadratic that touches -log_density at the value and lies above it elsewhere: the gradient
-  /// of -log_density is `curvature * value`.
+  /// Curvature of a quadratic that touches -log_density at the value and lies above it elsewhere: the
+  /// gradient of -log_density is `curvature * value`.
   [[nodiscard]] double curvature(double value) const;
   /// Standard deviation of the Gaussian that is as high.
   [[nodiscard]] double width() const;

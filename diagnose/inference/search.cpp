@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <iterator>
+#include <limits>
 #include <mutex>
 #include <plumbline/base/parallel.hpp>
 #include <set>
@@ -21,8 +21,8 @@ namespace {
 // ---- Extent of the search: more costs time alone ----
 /// Effects beside which a second is looked for; fewer where one leaves nothing to explain.
 constexpr std::size_t seeds = 8, seeds_of_enough = 2;
-/// Effects beside which tolerances are fitted, pairs beside which a third is looked for, hypotheses that are taken
-/// apart.
+/// Effects beside which tolerances are fitted, pairs beside which a third is looked for, hypotheses that are
+/// taken apart.
 constexpr std::size_t beside_tolerances = 5, pairs = 6, taken_apart = 4;
 /// Forecasts that are fitted: of pairs, of threes, for each effect that is replaced.
 constexpr std::size_t fitted_pairs = 16, fitted_threes = 12, fitted_replacements = 8;
@@ -80,8 +80,8 @@ class Searcher {
   /// The likelihoods for the noise that a residual shows.
   void set_likelihoods(const VectorXd& residual, NoiseShape start, Departures departures) {
     const Measurements& measurements = study_.measurements();
-    const NoiseShape shape = estimate_noise(study_.experiment(), measurements, *found_.states, nominal_residual_,
-                                            residual, std::move(start), departures);
+    const NoiseShape shape = estimate_noise(study_.experiment(), measurements, *found_.states,
+                                            nominal_residual_, residual, std::move(start), departures);
     const auto likelihood_of = [&](const Hyperpriors& priors, const NoiseShape& in) {
       return std::make_shared<Likelihood>(measurements, *found_.states, priors, in, nominal_residual_);
     };
@@ -89,7 +89,8 @@ class Searcher {
     full->prune(residual);
     found_.likelihood = full;
     rough_likelihood_ = likelihood_of(white_noise_alone(), shape);
-    all_readings_ = shape.has_outliers() ? likelihood_of(white_noise_alone(), NoiseShape(measurements)) : nullptr;
+    all_readings_ =
+        shape.has_outliers() ? likelihood_of(white_noise_alone(), NoiseShape(measurements)) : nullptr;
     found_.nominal = full->look(nominal_residual_);
     const Decomposition parts = full->decompose(residual);
     weight_ = shape.relative.cwiseInverse();
@@ -123,7 +124,8 @@ class Searcher {
   }
 
   /// Fits side by side, in white noise and then weighed beside a discrepancy; maximises there what leads.
-  void fit(const std::vector<Task>& tasks, const std::function<void(double)>& report = [](double) {}) {
+  void fit(
+      const std::vector<Task>& tasks, const std::function<void(double)>& report = [](double) {}) {
     std::vector<Hypothesis> fitted(tasks.size());
     std::size_t done = 0;
     std::mutex one_at_a_time;
@@ -165,15 +167,17 @@ class Searcher {
   }
 
   void sort() {
-    std::stable_sort(found_.hypotheses.begin(), found_.hypotheses.end(),
-                     [](const Hypothesis& a, const Hypothesis& b) { return a.log_evidence > b.log_evidence; });
+    std::stable_sort(
+        found_.hypotheses.begin(), found_.hypotheses.end(),
+        [](const Hypothesis& a, const Hypothesis& b) { return a.log_evidence > b.log_evidence; });
   }
 
   /// Maximises beside a discrepancy what leads, and was not yet.
   void refine(std::size_t most, double near) {
     std::vector<Hypothesis*> leading;
     for (Hypothesis& h : found_.hypotheses)
-      if (!h.refined && leading.size() < most && h.log_evidence > found_.hypotheses.front().log_evidence - near)
+      if (!h.refined && leading.size() < most &&
+          h.log_evidence > found_.hypotheses.front().log_evidence - near)
         leading.push_back(&h);
     in_parallel(leading.size(), study_.threads(), [&](std::size_t i) {
       Hypothesis better =
@@ -242,8 +246,8 @@ class Searcher {
 
   /// Keeps the better of two ways to one candidate.
   static void offer(std::vector<Task>& tasks, Task one) {
-    const auto place =
-        std::find_if(tasks.begin(), tasks.end(), [&](const Task& t) { return same(t.candidate, one.candidate); });
+    const auto place = std::find_if(tasks.begin(), tasks.end(),
+                                    [&](const Task& t) { return same(t.candidate, one.candidate); });
     if (place == tasks.end()) {
       tasks.push_back(std::move(one));
     } else if (one.cost < place->cost) {
@@ -259,7 +263,8 @@ class Searcher {
   void fit_most_promising(std::vector<Task> tasks, std::size_t most) {
     constexpr double margin = 3;  // nats, of a linear forecast
     double reached = -std::numeric_limits<double>::infinity();
-    for (const Hypothesis& h : found_.hypotheses) reached = std::max(reached, promise(squares(h), h.candidate));
+    for (const Hypothesis& h : found_.hypotheses)
+      reached = std::max(reached, promise(squares(h), h.candidate));
     std::erase_if(tasks, [&](const Task& t) { return promise(t.cost, t.candidate) < reached - margin; });
     std::stable_sort(tasks.begin(), tasks.end(), [&](const Task& a, const Task& b) {
       return promise(a.cost, a.candidate) > promise(b.cost, b.candidate);
@@ -385,8 +390,9 @@ class Searcher {
   std::vector<EffectAt> listed_;  ///< of the catalogue and the user's
   Findings found_;
   std::shared_ptr<const Likelihood> rough_likelihood_;  ///< in white noise
-  std::shared_ptr<const Likelihood> all_readings_;      ///< the same, no reading an outlier; none where none is marked
-  VectorXd weight_;  ///< by value: one over its noise, in declared sigmas
+  std::shared_ptr<const Likelihood>
+      all_readings_;  ///< the same, no reading an outlier; none where none is marked
+  VectorXd weight_;   ///< by value: one over its noise, in declared sigmas
   std::set<std::string> from_whole_, replaced_;  ///< labels: fitted from a larger one; extended by all
 };
 

@@ -19,8 +19,9 @@ struct Findings {
   std::vector<EffectAt> not_excited;   ///< effects on which no measured value depends
 };
 
-/// Fits every effect, alone and then beside those that explain most; takes the leading hypotheses apart and puts
-/// every other effect in the place of each of theirs; and weighs all by the noise that the best of them leaves.
+/// Fits every effect, alone and then beside those that explain most; takes the leading hypotheses apart and
+/// puts every other effect in the place of each of theirs; and weighs all by the noise that the best of them
+/// leaves.
 /// \param progress  called with the share of the work that is done
 Findings search(const Study& study, const std::function<void(double)>& progress = {});
 

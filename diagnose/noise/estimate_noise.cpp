@@ -1,5 +1,7 @@
 #include "diagnose/noise/estimate_noise.hpp"
 
+#include <algorithm>
+
 #include "diagnose/noise/term.hpp"
 
 namespace plumbline::diagnose {
@@ -16,8 +18,8 @@ VectorXd by_value(const Measurements& measurements, const Decomposition& parts, 
   return all;
 }
 
-NoiseEvidence evidence_of(const Experiment& experiment, const Measurements& measurements, const NoiseShape& shape,
-                          const Decomposition& parts, const VectorXd& residual) {
+NoiseEvidence evidence_of(const Experiment& experiment, const Measurements& measurements,
+                          const NoiseShape& shape, const Decomposition& parts, const VectorXd& residual) {
   NoiseEvidence evidence{experiment, measurements, shape, {}, {}, {}};
   evidence.scale = by_value(measurements, parts, [](const ChannelNoise& one) { return one.scale; });
   evidence.standardised =
@@ -27,8 +29,14 @@ NoiseEvidence evidence_of(const Experiment& experiment, const Measurements& meas
     const double square = one.correlation * one.correlation;
     return (1 - square) / (1 + square);
   });
+  // Readings that are marked as outliers may be those of a noisier segment: they count as the least of
+  // outliers.
+  constexpr double least_outlier = 4;  // about where an outlier is as probable as noise
   for (std::size_t i = 0; i < shape.outlier.size(); ++i)
-    if (shape.outlier[i]) evidence.weight(static_cast<Eigen::Index>(i)) = 0;
+    if (shape.outlier[i]) {
+      double& z = evidence.standardised(static_cast<Eigen::Index>(i));
+      z = std::clamp(z, -least_outlier, least_outlier);
+    }
   return evidence;
 }
 
@@ -48,7 +56,8 @@ bool mark_outliers(const NoiseEvidence& evidence, NoiseShape& shape) {
 std::optional<NoiseProposal> most_probable_departure(const NoiseEvidence& evidence) {
   std::optional<NoiseProposal> best;
   for (const std::unique_ptr<NoiseTerm>& term : noise_terms())
-    if (std::optional<NoiseProposal> one = term->propose(evidence); one && (!best || one->log_odds > best->log_odds))
+    if (std::optional<NoiseProposal> one = term->propose(evidence);
+        one && (!best || one->log_odds > best->log_odds))
       best = std::move(one);
   return best;
 }
@@ -56,8 +65,8 @@ std::optional<NoiseProposal> most_probable_departure(const NoiseEvidence& eviden
 }  // namespace
 
 NoiseShape estimate_noise(const Experiment& experiment, const Measurements& measurements,
-                          const CommandStates& states, const VectorXd& nominal_residual, const VectorXd& residual,
-                          NoiseShape shape, Departures departures) {
+                          const CommandStates& states, const VectorXd& nominal_residual,
+                          const VectorXd& residual, NoiseShape shape, Departures departures) {
   const auto likelihood_of = [&](const NoiseShape& one) {
     return std::make_unique<Likelihood>(measurements, states, full_model(), one, nominal_residual);
   };

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// The noise that readings show beside a discrepancy: outliers and departures from even noise, each accepted where
-/// it is more probable than not.
+/// The noise that readings show beside a discrepancy: outliers and departures from even noise, each accepted
+/// where it is more probable than not.
 
 #include "diagnose/inference/likelihood.hpp"
 
@@ -13,7 +13,7 @@ enum class Departures { ignored, sought };
 /// \param residual  flat, of the model that is believed so far
 /// \param start     what is known of the noise already
 NoiseShape estimate_noise(const Experiment& experiment, const Measurements& measurements,
-                          const CommandStates& states, const VectorXd& nominal_residual, const VectorXd& residual,
-                          NoiseShape start, Departures departures);
+                          const CommandStates& states, const VectorXd& nominal_residual,
+                          const VectorXd& residual, NoiseShape start, Departures departures);
 
 }  // namespace plumbline::diagnose

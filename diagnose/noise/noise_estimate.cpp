@@ -50,8 +50,8 @@ VectorXd innovations(const VectorXd& values, double scale, double correlation) {
   VectorXd result = values / scale;
   const Eigen::Index rest = values.size() - 1;
   if (rest > 0)
-    result.tail(rest) =
-        (values.tail(rest) - correlation * values.head(rest)) / (scale * std::sqrt(1 - correlation * correlation));
+    result.tail(rest) = (values.tail(rest) - correlation * values.head(rest)) /
+                        (scale * std::sqrt(1 - correlation * correlation));
   return result;
 }
 

@@ -28,8 +28,8 @@ struct NoiseEstimate {
   [[nodiscard]] MatrixXd whitened(const Measurements& measurements, const MatrixXd& columns) const;
 };
 
-/// Innovations of values in the order of reading, standardised: of noise of this scale that correlates so from
-/// one to the next they are independent and of variance one.
+/// Innovations of values in the order of reading, standardised: of noise of this scale that correlates so
+/// from one to the next they are independent and of variance one.
 VectorXd innovations(const VectorXd& values, double scale, double correlation);
 
 }  // namespace plumbline::diagnose

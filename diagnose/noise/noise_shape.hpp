@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// How readings scatter, beside the scale and the autocorrelation of each channel: which of them are outliers,
-/// which are noisier than others, and what is periodic.
+/// How readings scatter, beside the scale and the autocorrelation of each channel: which of them are
+/// outliers, which are noisier than others, and what is periodic.
 
 #include <map>
 #include <string>

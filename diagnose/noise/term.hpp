@@ -16,9 +16,9 @@ struct NoiseEvidence {
   const Experiment& experiment;
   const Measurements& measurements;
   const NoiseShape& shape;  ///< as it is known so far
-  VectorXd standardised;    ///< flat, in standard deviations of that noise
+  VectorXd standardised;    ///< flat, in standard deviations of that noise; outliers drawn in
   VectorXd scale;           ///< flat: of the channel, over the declared noise
-  VectorXd weight;          ///< flat: independent values that a value stands for; zero of outliers
+  VectorXd weight;          ///< flat: independent values that a value stands for
 };
 
 /// A departure that the readings may show.
@@ -28,8 +28,8 @@ struct NoiseProposal {
   std::function<void(NoiseShape&)> accept;
 };
 
-/// One kind of departure. The most probable one of its kind is proposed, where its odds are better than even. What
-/// was accepted once of a run and a sensor, or of a channel, is not proposed again.
+/// One kind of departure. The most probable one of its kind is proposed, where its odds are better than even.
+/// What was accepted once of a run and a sensor, or of a channel, is not proposed again.
 class NoiseTerm {
  public:
   virtual ~NoiseTerm() = default;
@@ -49,7 +49,9 @@ std::unique_ptr<NoiseTerm> periodic_interference();
 /// Sums of squares over values.
 struct Squares {
   double sum = 0, count = 0;
-  void add(double standardised, double weight) { sum += weight * standardised * standardised, count += weight; }
+  void add(double standardised, double weight) {
+    sum += weight * standardised * standardised, count += weight;
+  }
   [[nodiscard]] double variance() const { return count > 0 ? sum / count : 1; }
 };
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnose/priors.hpp"
+#include "diagnose/design/separation.hpp"
 #include "diagnose/report/law.hpp"
 #include "diagnose/report/noise_text.hpp"
 #include "diagnose/report/report.hpp"
@@ -229,8 +229,7 @@ std::string what_next(const Diagnosis& diagnosis) {
       "one\n";
   for (const Proposal& one : diagnosis.proposals)
     text += fmt::format("  {}: {}\n", one.description, odds(one.log_odds));
-  if (const double so_far = diagnosis.proposals.front().log_odds_so_far;
-      so_far > std::log(priors::wrong_over_further_name))
+  if (const double so_far = diagnosis.proposals.front().log_odds_so_far; so_far > told_apart)
     text += fmt::format("  (for the runs so far the same forecast gives {})\n", odds(so_far));
   return text;
 }

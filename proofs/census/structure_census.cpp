@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "proofs/exact/inertia.hpp"
 
@@ -104,24 +105,73 @@ class StructureBox {
     for (std::size_t j = 0; j < size(); ++j) {
       if (!(box[j].low < image[j].low && image[j].high < box[j].high)) return false;
     }
+    constexpr double wide = 1e-6;  // beyond it the energy has no sign of curvature
     for (int step = 0; step < 8; ++step) {
       Ranges next = image;
       if (!newton(next)) break;
       image = next;
     }
-    box = image;
+    box = widest(image) > wide ? narrowed(std::move(image)) : image;
     return true;
+  }
+
+  /// A box around one root, as far as Newton's steps narrow it; where they gain little, as near a critical
+  /// load, the part of it that is not proved to be empty.
+  [[nodiscard]] Ranges narrowed(Ranges box) const {
+    constexpr int most = 300;
+    constexpr double noticeable = 0.9;
+    for (int step = 0; step < most; ++step) {
+      Ranges next = box;
+      if (!newton(next) || widest(next) < 1e-9) break;
+      if (!(widest(next) < noticeable * widest(box))) {
+        const std::optional<Ranges> part = part_with_root(next);
+        if (!part) return next;
+        next = *part;
+      }
+      box = std::move(next);
+    }
+    return box;
+  }
+
+  /// Of a box around one root: without the third at either end of its widest side, where that is proved to be
+  /// empty.
+  [[nodiscard]] std::optional<Ranges> part_with_root(const Ranges& box) const {
+    std::size_t side = 0;
+    for (std::size_t j = 1; j < size(); ++j)
+      if (box[j].width() > box[side].width()) side = j;
+    for (const bool upper : {false, true}) {
+      Ranges end = box, rest = box;
+      const double at =
+          upper ? box[side].high - box[side].width() / 3 : box[side].low + box[side].width() / 3;
+      (upper ? end[side].low : end[side].high) = at;
+      (upper ? rest[side].high : rest[side].low) = at;
+      if (!contract(end)) return rest;
+    }
+    return std::nullopt;
+  }
+
+  static double widest(const Ranges& box) {
+    double width = 0;
+    for (const Span& one : box) width = std::max(width, one.high - one.low);
+    return width;
   }
 
   /// Whether two boxes that overlap, each around one root, are around the same: their hull has one as well.
   [[nodiscard]] bool around_one(const Ranges& a, const Ranges& b) const {
+    Ranges hull = widened(a, b);
+    return isolates(hull);
+  }
+
+  /// The hull of two boxes and a little more: a Newton step leads strictly inside no box that is already as
+  /// small as it can make it.
+  [[nodiscard]] Ranges widened(const Ranges& a, const Ranges& b) const {
     Ranges hull;
     for (std::size_t j = 0; j < size(); ++j) {
       const double low = std::min(a[j].low, b[j].low), high = std::max(a[j].high, b[j].high);
       const double margin = high - low + 1e-12 * std::max(std::abs(low), std::abs(high)) + 1e-300;
       hull.emplace_back(low - margin, high + margin);
     }
-    return isolates(hull);
+    return hull;
   }
 
   [[nodiscard]] StructureEquilibrium described(const Ranges& box) const {
@@ -373,13 +423,14 @@ StructureCensus take_census(const Structure<Rational>& structure, const Rational
     Ranges box = std::move(open.back());
     open.pop_back();
     if (!system.contract(box)) continue;
-    Ranges one = box;
+    const bool small = widest_of(box, system.turning()) < smallest;
+    Ranges one = small ? system.widened(box, box) : box;
     if (system.isolates(one)) {
       if (system.counted(one) && !add(found, one, system))
         census.undecided.push_back(system.angles(system.directions(one)));
       continue;
     }
-    if (widest_of(box, system.turning()) < smallest) {
+    if (small) {
       census.undecided.push_back(system.angles(system.directions(box)));
       if (census.undecided.size() > most_undecided)
         throw Error("census", "more than " + std::to_string(most_undecided) + " boxes that stay undecided",

@@ -69,8 +69,8 @@ py::dict stability_loss(const std::string& text, int digits) {
   return all;
 }
 
-std::string certificate(const std::string& name, const std::string& text, std::size_t lowest, int digits,
-                        const std::string& command) {
+std::string certificate_of_structure(const std::string& name, const std::string& text, std::size_t lowest,
+                                     int digits, const std::string& command) {
   return unlocked([&] {
     if (app::is_space_chain(text, source)) return certificate_in_space(name, text, lowest, digits, command);
     const Structure<Rational> structure = straight_structure(text);
@@ -89,7 +89,7 @@ std::string certificate(const std::string& name, const std::string& text, std::s
 void add_structures(py::module_& module) {
   module.def("critical_factors", &critical_factors);
   module.def("stability_loss", &stability_loss);
-  module.def("structure_certificate", &certificate);
+  module.def("structure_certificate", &certificate_of_structure);
 }
 
 }  // namespace plumbline::python

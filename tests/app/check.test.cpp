@@ -8,7 +8,7 @@
 
 TEST_CASE("the published forces agree with the reference, to all their digits") {
   const Workplace here;
-  const Outcome outcome = here.plumbline("check " + sources + "/reference/forces.csv --json");
+  const Outcome outcome = here.plumbline("check " + sources + "/verify/reference/values/forces.csv --json");
   CHECK(outcome.status == 0);
   const auto report = nlohmann::json::parse(outcome.out);
   CHECK(report["disagree"] == 0);
@@ -18,7 +18,7 @@ TEST_CASE("the published forces agree with the reference, to all their digits") 
 TEST_CASE("the example in Python passes, and its report in the sources is what the command prints") {
   const Workplace here;
   const std::string run = "python3 " + sources + "/docs/examples/python/critical_forces.py " + sources +
-                          "/reference/chains.csv >" + (here.path() / "VALUES.csv").string();
+                          "/verify/reference/values/chains.csv >" + (here.path() / "VALUES.csv").string();
   REQUIRE(std::system(run.c_str()) == 0);
   const Outcome outcome = here.plumbline("check VALUES.csv");
   CHECK(outcome.status == 0);
@@ -86,11 +86,11 @@ TEST_CASE("certificates given to check are referred to the program that checks t
   for (const auto& [file, checker] : {std::pair{"certificates.json", "check_certificates.py"},
                                       std::pair{"equilibria-certificates.json", "check_equilibria.py"},
                                       std::pair{"path-certificates.json", "check_paths.py"}}) {
-    const std::string path = sources + "/reference/" + file;
+    const std::string path = sources + "/verify/reference/values/" + file;
     const Outcome outcome = here.plumbline("check " + path);
     CHECK(outcome.status == 2);
     CHECK(contains(outcome.err, std::string("python3 proofs/certificates/") + checker + " " + path));
     CHECK(std::filesystem::exists(sources + "/proofs/certificates/" + checker));
   }
-  CHECK(contains(here.plumbline("check " + sources + "/reference/events.json").err, "found JSON"));
+  CHECK(contains(here.plumbline("check " + sources + "/verify/reference/values/events.json").err, "found JSON"));
 }

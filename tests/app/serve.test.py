@@ -217,6 +217,7 @@ class Person(unittest.TestCase):
         cls.folder.cleanup()
 
     def setUp(self):
+        self.browser.get_log("browser")  # what another test's page said, on purpose, is not of this one
         self.browser.get(self.server.address)
 
     def part(self, name):

@@ -50,7 +50,15 @@ def straight_chains(folder):
     (folder / "chains.csv").write_text("chain,lengths,stiffness\na,1;1,1;1\nb,1;1;1,0;1;1\nb,1;1,1;1\n", encoding="utf-8")
     (folder / "good.csv").write_text("chain,lengths,stiffness\na,1;1,1;1\n", encoding="utf-8")
     (folder / "values.csv").write_text("chain,mode,force\na,1,2.4\n", encoding="utf-8")
+    two_axes = "{ axes = [[0, 0, 1], [0, 1, 0]], stiffness = [1, 3] }"
+    in_space = f"lengths = [1, 1]\njoints = [{two_axes}, {two_axes}]\n"
+    (folder / "space.toml").write_text(in_space, encoding="utf-8")
+    alike = "{ axes = [[0, 0, 1], [0, 1, 0]], stiffness = [1, 1] }"
+    (folder / "twisted.toml").write_text(f"lengths = [1, 1, 1]\njoints = [{alike}, {alike}, {alike}]\n" + 'end_point = "clamped"\nloads = [{ torque = "semitangential" }]\n', encoding="utf-8")
+    (folder / "ziegler.toml").write_text('lengths = [1, 1]\nstiffness = [1, 1]\nend_point = "free"\nloads = [{ follower = 1 }]\n',
+                                         encoding="utf-8")
     hold("critical", [written("critical", folder=folder),
+                      *(written("critical", name, folder=folder) for name in ("space.toml", "twisted.toml", "ziegler.toml")),
                       written("critical", "chains.csv", "--all", "--digits", "30", folder=folder, statuses=[2])])
     hold("check", [written("check", "values.csv", "--chains", "good.csv", folder=folder, statuses=[1])])
 

@@ -18,34 +18,46 @@ std::vector<Squares> cumulated(const NoiseEvidence& evidence, std::size_t run, S
       each[series.readings[i] + 1].add(evidence.standardised(row), evidence.weight(row));
     }
   }
-  for (std::size_t i = 1; i < each.size(); ++i) each[i].sum += each[i - 1].sum, each[i].count += each[i - 1].count;
+  for (std::size_t i = 1; i < each.size(); ++i)
+    each[i].sum += each[i - 1].sum, each[i].count += each[i - 1].count;
   return each;
 }
 
-/// A segment of a run in which a sensor is noisier than in the rest of it.
+/// A segment of a run in which a sensor is noisier than elsewhere, in this run and in the others.
 class NoisierSegments final : public NoiseTerm {
   [[nodiscard]] std::optional<NoiseProposal> propose(const NoiseEvidence& evidence) const override {
     std::optional<NoiseProposal> best;
-    for (const Sensor sensor : {Sensor::position, Sensor::force, Sensor::angle})
+    for (const Sensor sensor : {Sensor::position, Sensor::force, Sensor::angle}) {
+      Squares all;
+      for (const Series& series : evidence.measurements.series())
+        for (std::size_t i = series.first;
+             series.channel.sensor() == sensor && i < series.first + series.readings.size(); ++i)
+          all.add(evidence.standardised(static_cast<Eigen::Index>(i)),
+                  evidence.weight(static_cast<Eigen::Index>(i)));
       for (std::size_t r = 0; r < evidence.experiment.runs.size(); ++r)
-        if (!evidence.shape.is_noisier(r, sensor)) look_at(evidence, sensor, r, best);
+        if (!evidence.shape.is_noisier(r, sensor)) look_at(evidence, sensor, r, all, best);
+    }
     return best;
   }
 
-  static void look_at(const NoiseEvidence& evidence, Sensor sensor, std::size_t r,
+  /// \param all  squares of the sensor in all runs
+  static void look_at(const NoiseEvidence& evidence, Sensor sensor, std::size_t r, const Squares& all,
                       std::optional<NoiseProposal>& best) {
     const std::vector<Squares> until = cumulated(evidence, r, sensor);
     const std::size_t readings = until.size() - 1;
-    const Squares& all = until.back();
-    if (readings < 2 * fewest_of_segment || !(all.sum > 0)) return;
+    if (readings < 2 * fewest_of_segment || !(until.back().sum > 0)) return;
     const auto runs = static_cast<double>(evidence.experiment.runs.size());
-    const double log_prior = std::log(priors::uneven_noise / runs) - 2 * std::log(static_cast<double>(readings));
+    const double log_prior =
+        std::log(priors::uneven_noise / runs) - 2 * std::log(static_cast<double>(readings));
     for (std::size_t from = 0; from + fewest_of_segment <= readings; ++from)
       for (std::size_t to = from + fewest_of_segment; to <= readings; ++to) {
         const Squares inside{until[to].sum - until[from].sum, until[to].count - until[from].count},
             outside{all.sum - inside.sum, all.count - inside.count};
-        if (inside.count < fewest_of_segment || outside.count < fewest_of_segment || inside.variance() <= outside.variance()) continue;
-        const double cost = log_prior - std::log(inside.count) / 2, log_odds = gain_of_two(inside, outside) + cost;
+        if (inside.count < fewest_of_segment || outside.count < fewest_of_segment ||
+            inside.variance() <= outside.variance())
+          continue;
+        const double cost = log_prior - std::log(inside.count) / 2,
+                     log_odds = gain_of_two(inside, outside) + cost;
         if (log_odds <= (best ? best->log_odds : 0)) continue;
         const double factor = std::sqrt(inside.variance() / outside.variance());
         best = {log_odds, cost, [&evidence, sensor, r, from, to, factor](NoiseShape& shape) {

@@ -16,10 +16,10 @@ using namespace plumbline::diagnose;
 
 namespace {
 
-/// A lever under a force there and back, and once more with twice as much.
-Experiment lever() {
+/// Two links under a force there and back, and once more with twice as much.
+Experiment sprung_links() {
   Experiment experiment;
-  experiment.name = "lever";
+  experiment.name = "two sprung links";
   experiment.link_length = {0.3, 0.2};
   experiment.joint_stiffness = {4.0, 3.0};
   experiment.link_mass = {0, 0};
@@ -69,8 +69,8 @@ std::vector<double> sizeable(const Study& study, const Candidate& candidate) {
   return parameters;
 }
 
-Experiment lever_with(const Candidate& cause, unsigned seed) {
-  const Experiment bare = lever();
+Experiment sprung_links_with(const Candidate& cause, unsigned seed) {
+  const Experiment bare = sprung_links();
   return test::measured(bare, cause, sizeable(Study(bare), cause), seed);
 }
 
@@ -79,7 +79,7 @@ Experiment lever_with(const Candidate& cause, unsigned seed) {
 TEST_CASE("the order of the runs changes no answer") {
   for (const Candidate& cause : some_causes()) {
     CAPTURE(cause.label());
-    Experiment experiment = lever_with(cause, 11);
+    Experiment experiment = sprung_links_with(cause, 11);
     const Answer before = answer_of(Study(experiment));
     std::rotate(experiment.runs.begin(), experiment.runs.begin() + 1, experiment.runs.end());
     check_same(before, answer_of(Study(experiment)));
@@ -90,7 +90,7 @@ TEST_CASE("units change no answer: lengths, torques and all that follows from th
   constexpr double length = 8, torque = 32;  // powers of two: nothing is rounded
   for (const Candidate& cause : some_causes()) {
     CAPTURE(cause.label());
-    Experiment experiment = lever_with(cause, 12);
+    Experiment experiment = sprung_links_with(cause, 12);
     const Answer before = answer_of(Study(experiment));
     for (double& one : experiment.link_length) one *= length;
     for (double& one : experiment.joint_stiffness) one *= torque;
@@ -108,7 +108,7 @@ TEST_CASE("units change no answer: lengths, torques and all that follows from th
 TEST_CASE("the other side of the plane changes no answer") {
   for (const Candidate& cause : some_causes()) {
     CAPTURE(cause.label());
-    Experiment experiment = lever_with(cause, 13);
+    Experiment experiment = sprung_links_with(cause, 13);
     const Answer before = answer_of(Study(experiment));
     for (Run& run : experiment.runs) {
       for (double& one : run.rest) one = -one;
@@ -121,8 +121,9 @@ TEST_CASE("the other side of the plane changes no answer") {
   }
 }
 
-TEST_CASE("declared noise twice as large, and all departures with it, moves every evidence by the same amount") {
-  const Experiment experiment = lever_with(test::only("joint_stiffness", 2), 14);
+TEST_CASE(
+    "declared noise twice as large, and all departures with it, moves every evidence by the same amount") {
+  const Experiment experiment = sprung_links_with(test::only("joint_stiffness", 2), 14);
   Experiment doubled = experiment;
   Noise& noise = doubled.noise;
   noise = {2 * noise.x, 2 * noise.y, 2 * noise.Fx, 2 * noise.Fy, 2 * noise.q};
@@ -147,8 +148,8 @@ TEST_CASE("a copy of an effect under another name is an alternative to it") {
   const std::vector<StatedEffect> stated = parse_effects(R"(format = "user-effects/1"
 [[effect]]
 id = "soft"
-words = "a softer spring"
-where = "a joint"
+words = "a softer spring of joint {}"
+where = "one joint"
 torque = "a * 3 * d"
 [effect.parameters.a]
 unit = "1"
@@ -157,7 +158,7 @@ low = -0.9
 high = 2
 )",
                                                          "soft.toml");
-  const Experiment experiment = lever_with(test::only("joint_stiffness", 2), 15);
+  const Experiment experiment = sprung_links_with(test::only("joint_stiffness", 2), 15);
   const Answer answer = answer_of(study_with(experiment, stated));
   CHECK(answer.verdict.verdict == CauseVerdict::ambiguous);
   CHECK(answer.named().contains({"joint_stiffness(2)"}));
@@ -171,10 +172,12 @@ TEST_CASE("fewer readings make no answer surely other" * doctest::test_suite("lo
     const std::vector<std::string> truth{cause.label()};
     for (const double kept : {0.5, 0.25, 0.12}) {
       CAPTURE(kept);
-      Experiment experiment = lever_with(cause, 17);
+      Experiment experiment = sprung_links_with(cause, 17);
       std::bernoulli_distribution keep(kept);
       for (Run& run : experiment.runs)
-        std::erase_if(run.readings, [&](const Reading& reading) { return &reading != &run.readings.back() && !keep(random); });
+        std::erase_if(run.readings, [&](const Reading& reading) {
+          return &reading != &run.readings.back() && !keep(random);
+        });
       const Answer answer = answer_of(Study(experiment));
       const bool hedged = answer.verdict.verdict == CauseVerdict::unknown || answer.verdict.or_outside ||
                           answer.verdict.verdict == CauseVerdict::none;
@@ -186,10 +189,10 @@ TEST_CASE("fewer readings make no answer surely other" * doctest::test_suite("lo
 TEST_CASE("noise larger than declared is no gap, whatever the factor") {
   for (const double factor : {2.0, 10.0}) {
     CAPTURE(factor);
-    Experiment noisy = lever();
+    Experiment noisy = sprung_links();
     noisy.noise = {1e-4 * factor, 1e-4 * factor, 0.01 * factor, 0.01 * factor, 1e-3 * factor};
     Experiment experiment = test::measured(noisy, {}, {}, 18);
-    experiment.noise = lever().noise;
+    experiment.noise = sprung_links().noise;
     const Answer answer = answer_of(Study(experiment));
     CHECK((answer.verdict.verdict == CauseVerdict::none || answer.verdict.verdict == CauseVerdict::unknown));
   }

@@ -5,8 +5,8 @@
 #include <functional>
 #include <random>
 
-#include "diagnose/discrepancy/law_choice.hpp"
 #include "diagnose/answers/offered_law.hpp"
+#include "diagnose/discrepancy/law_choice.hpp"
 #include "tests/close_to.hpp"
 
 using namespace plumbline;

@@ -18,7 +18,8 @@ namespace {
 Experiment presses(const std::vector<int>& readings) {
   Experiment experiment = three_links();
   experiment.noise.q = 0;
-  for (const int count : readings) press(experiment, {0.05, -0.1, 0.05}, {-1e-3 * count, 0}, count - 1, false);
+  for (const int count : readings)
+    press(experiment, {0.05, -0.1, 0.05}, {-1e-3 * count, 0}, count - 1, false);
   for (Run& run : experiment.runs)
     for (Reading& reading : run.readings) reading.q.clear();
   return experiment;
@@ -30,7 +31,8 @@ Study read_off(Experiment experiment, const VectorXd& residual) {
   for (const Series& series : bare.measurements().series())
     for (std::size_t i = 0; i < series.readings.size(); ++i)
       series.channel.in(experiment.runs[series.run].readings[series.readings[i]]) =
-          bare.nominal().runs[series.run](static_cast<Eigen::Index>(series.readings[i]), column_of(series.channel)) +
+          bare.nominal().runs[series.run](static_cast<Eigen::Index>(series.readings[i]),
+                                          column_of(series.channel)) +
           series.sigma * residual(static_cast<Eigen::Index>(series.first + i));
   return Study(experiment);
 }
@@ -99,7 +101,8 @@ TEST_CASE("a reading that is noisier than others has less of the gap") {
   const Study study = read_off(experiment, residual);
   NoiseEstimate noise = declared_noise(study);
   for (const std::size_t s : {1U, 3U})
-    noise.shape.relative.segment(static_cast<Eigen::Index>(measurements.series()[s].first), 10).setConstant(2);
+    noise.shape.relative.segment(static_cast<Eigen::Index>(measurements.series()[s].first), 10)
+        .setConstant(2);
   // 9 - 1 a value in the first run, 9 / 4 - 1 in the second
   CHECK(share_of(locate(study, noise).runs, "press-1") == close_to(8 / 9.25));
 }
@@ -157,8 +160,8 @@ TEST_CASE("along the path of several runs each segment has its readings, counted
   experiment.runs[1].groups = {2, {0, 2, 4, 6, 8, 10}};
   const Measurements measurements(experiment);
   VectorXd residual = nothing_off(measurements);
-  fill(measurements, 0, 3, residual);                                  // Fx of the first: 8 beyond noise a reading
-  fill(measurements, 3, 2, residual);                                  // Fy of the second: 3
+  fill(measurements, 0, 3, residual);  // Fx of the first: 8 beyond noise a reading
+  fill(measurements, 3, 2, residual);  // Fy of the second: 3
   for (const std::size_t s : {1U, 2U}) fill(measurements, s, 1, residual);
   const Study study = read_off(experiment, residual);
   const Where where = locate(study, declared_noise(study));

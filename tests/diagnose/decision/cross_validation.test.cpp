@@ -31,10 +31,10 @@ std::optional<Shrink> shrink_of(const Study& study, const Candidate& candidate) 
   const NoiseEstimate noise = declared_noise(study);
   Findings findings;
   findings.states = std::make_shared<const CommandStates>(study.experiment());
-  findings.likelihood = std::make_shared<const Likelihood>(study.measurements(), *findings.states, full_model(),
-                                                           noise.shape, study.nominal_residual());
-  const Hypothesis whole = maximised(study, *findings.likelihood, candidate, initial_guesses(study, candidate),
-                                     Effort{50, 1e-3});
+  findings.likelihood = std::make_shared<const Likelihood>(
+      study.measurements(), *findings.states, full_model(), noise.shape, study.nominal_residual());
+  const Hypothesis whole =
+      maximised(study, *findings.likelihood, candidate, initial_guesses(study, candidate), Effort{50, 1e-3});
   REQUIRE(whole.converged);
   return cross_validated(study, findings, noise, whole);
 }
@@ -127,7 +127,8 @@ TEST_CASE("a part of which the others do not tell is passed over; blocks stand i
   // Half of the gap is left of what is asked for, but for parts that `passed` names.
   const auto halved = [&](const std::function<bool(const HeldOut&)>& passed) {
     return cross_validated(
-        study, noise, [&](const Study&, const NoiseEstimate&, const HeldOut& part) -> std::optional<VectorXd> {
+        study, noise,
+        [&](const Study&, const NoiseEstimate&, const HeldOut& part) -> std::optional<VectorXd> {
           if (passed(part)) return std::nullopt;
           return study.nominal_residual() / 2;
         });
@@ -143,8 +144,8 @@ TEST_CASE("a part of which the others do not tell is passed over; blocks stand i
         for (std::size_t i = 0; i < part.reading[r].size(); ++i)
           if (part.reading[r][i]) all.reading[r][i] = true;
     }
-    const Shrink expected =
-        measure_shrink(study.measurements(), all, study.nominal_residual(), study.nominal_residual() / 2, noise);
+    const Shrink expected = measure_shrink(study.measurements(), all, study.nominal_residual(),
+                                           study.nominal_residual() / 2, noise);
     CHECK(found->heldout == expected.heldout);
     CHECK(found->ratio == close_to(0.5));
     CHECK(found->chi2_per_value_after == close_to(expected.chi2_per_value_after));
@@ -164,11 +165,12 @@ TEST_CASE("a part of which the others do not tell is passed over; blocks stand i
   agrees(halved([](const HeldOut&) { return false; }), run_parts(experiment));
   // A run of seven readings has no eighths, and a single one no other.
   const Study few(blank_experiment({7}));
-  CHECK_FALSE(cross_validated(
-      few, declared_noise(few), [](const Study&, const NoiseEstimate&, const HeldOut&) -> std::optional<VectorXd> {
-        FAIL("nothing is held out");
-        return std::nullopt;
-      }));
+  CHECK_FALSE(
+      cross_validated(few, declared_noise(few),
+                      [](const Study&, const NoiseEstimate&, const HeldOut&) -> std::optional<VectorXd> {
+                        FAIL("nothing is held out");
+                        return std::nullopt;
+                      }));
 }
 
 TEST_CASE("what a block holds out of one way, a run that comes back shows on the other") {

@@ -22,8 +22,8 @@ Posterior posterior_of(double no_gap, double outside, const std::vector<double>&
   return posterior;
 }
 
-/// The loss that is expected of naming the first causes and, if asked, one outside of the catalogue, where there is
-/// a gap.
+/// The loss that is expected of naming the first causes and, if asked, one outside of the catalogue, where
+/// there is a gap.
 double expected_loss(const Posterior& posterior, std::size_t named, bool or_outside) {
   double missed = or_outside ? 0 : posterior.outside;
   for (std::size_t i = named; i < posterior.causes.size(); ++i) missed += posterior.causes[i].probability;

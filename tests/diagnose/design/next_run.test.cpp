@@ -199,6 +199,13 @@ TEST_CASE("joint angles are suggested only where the bench does not read them") 
   }
 }
 
+TEST_CASE("no run is proposed to distinguish hypotheses with the same predictions, but to detect the gap") {
+  const Study study(measured(along_x(), only("rest_angle", 1), {0.02}, 47));
+  const std::vector<Hypothesis> twice(2, fit_in_white_noise(study, only("rest_angle", 1)));
+  CHECK(next_runs(study, twice, declared_noise(study), 1000).empty());
+  CHECK_FALSE(next_runs(study, twice, declared_noise(study), 1, Aim::detect).empty());
+}
+
 TEST_CASE("expected information uses the estimated noise of each channel") {
   // a sigma declared twice as large, or found twice as large as declared, are one and the same noise
   const Experiment experiment = measured(along_x(), only("rest_angle", 1), {0.02}, 47);

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -18,7 +19,8 @@ namespace {
 /// A bench of which only the layout matters: residuals are made up.
 Experiment long_bench() {
   Experiment experiment = test::three_links();
-  for (int run = 0; run < 4; ++run) test::press(experiment, {0.3, -0.5, 0.4}, {-0.01 * (run + 3), 0}, 40, true);
+  for (int run = 0; run < 4; ++run)
+    test::press(experiment, {0.3, -0.5, 0.4}, {-0.01 * (run + 3), 0}, 40, true);
   return experiment;
 }
 
@@ -37,7 +39,9 @@ struct Made {
                           NoiseShape(study.measurements()), Departures::sought);
   }
   [[nodiscard]] NoiseEstimate decomposed() const {
-    return Likelihood(study.measurements(), states, full_model(), estimated(), nominal).decompose(nominal).noise;
+    return Likelihood(study.measurements(), states, full_model(), estimated(), nominal)
+        .decompose(nominal)
+        .noise;
   }
 };
 
@@ -51,7 +55,8 @@ TEST_CASE("white noise of the declared size is even, and its scale one") {
   CHECK(shape.interference.empty());
   CHECK(shape.proportional.empty());
   for (const ChannelNoise& one : made.decomposed().channels) {
-    // 324 values: the standard deviation of their scale is 1 / sqrt(2 * 324) = 0.04, and the prior pulls to one.
+    // 324 values: the standard deviation of their scale is 1 / sqrt(2 * 324) = 0.04, and the prior pulls to
+    // one.
     CHECK(std::abs(std::log(one.scale)) < 0.16);
     CHECK(one.correlation < 0.2);
   }
@@ -85,7 +90,7 @@ TEST_CASE("a run of four times the noise of the others is found to be noisier") 
   CHECK(std::abs(std::log(shape.noisier.front().factor / 4)) < 0.3);
 }
 
-TEST_CASE("a sinusoid of three sigma is interference of its period, and hides no outlier") {
+TEST_CASE("a sinusoid of three sigma is interference of its period, and no outliers") {
   Made made(5);
   constexpr double period = 7.3;
   for (const Series& series : made.study.measurements().series())
@@ -94,11 +99,23 @@ TEST_CASE("a sinusoid of three sigma is interference of its period, and hides no
         made.nominal(static_cast<Eigen::Index>(series.first + i)) +=
             3 * std::sin(2 * std::numbers::pi * static_cast<double>(i) / period + 0.4);
   const NoiseShape shape = made.estimated();
-  REQUIRE_FALSE(shape.interference.empty());
-  CHECK(shape.interference.front().run == 1);
+  // One frequency in all readings of the sensor, with an amplitude in each run.
+  const auto size = [](const Interference& one) {
+    double most = 0;
+    for (const auto& [channel, rms] : one.rms) most = std::max(most, rms);
+    return most;
+  };
+  const auto largest =
+      std::max_element(shape.interference.begin(), shape.interference.end(),
+                       [&](const Interference& a, const Interference& b) { return size(a) < size(b); });
+  REQUIRE(largest != shape.interference.end());
+  CHECK(largest->run == 1);
+  CHECK(largest->sensor == Sensor::force);
   // The frequency of 81 readings at this ratio to the noise is known to about 0.1 / 81 a reading.
-  CHECK(std::abs(1 / shape.interference.front().period - 1 / period) < 0.005);
-  CHECK_FALSE(shape.has_outliers());
+  CHECK(std::abs(1 / largest->period - 1 / period) < 0.005);
+  for (const Series& series : made.study.measurements().series())
+    if (series.run == 1 && series.channel.sensor() == Sensor::force)
+      for (std::size_t i = 0; i < series.readings.size(); ++i) CHECK_FALSE(shape.outlier[series.first + i]);
 }
 
 TEST_CASE("innovations of an autoregression are white") {
@@ -122,11 +139,13 @@ TEST_CASE("innovations of an autoregression are white") {
 TEST_CASE("columns are whitened as innovations are, across readings that are missing") {
   const Study study(long_bench());
   NoiseEstimate noise{{}, NoiseShape(study.measurements())};
-  for (const Block& block : study.measurements().blocks()) noise.channels.push_back({block.channel, 2, 0.5, 1});
+  for (const Block& block : study.measurements().blocks())
+    noise.channels.push_back({block.channel, 2, 0.5, 1});
   VectorXd ones = VectorXd::Ones(static_cast<Eigen::Index>(study.measurements().size()));
   const Series& first = study.measurements().series().front();
   const MatrixXd whole = noise.whitened(study.measurements(), ones);
-  const VectorXd by_hand = innovations(VectorXd::Ones(static_cast<Eigen::Index>(first.readings.size())), 2, 0.5);
+  const VectorXd by_hand =
+      innovations(VectorXd::Ones(static_cast<Eigen::Index>(first.readings.size())), 2, 0.5);
   CHECK((whole.col(0).head(by_hand.size()) - by_hand).norm() < 1e-12);
   // A gap of one reading: the correlation across it is 0.5 squared.
   noise.shape.outlier[3] = true;

@@ -52,7 +52,8 @@ TEST_CASE("a straight column buckles to the branch of its readings") {
   }
 }
 
-TEST_CASE("a diagnosis names the run on another branch, and finds what bends the column") {
+TEST_CASE("a diagnosis names the run on another branch, and finds what bends the column" *
+          doctest::test_suite("long")) {
   const Study study(on_observed_branches(Study(measured(column(), only("rest_spread"), leaning(-1), 3))));
   const Diagnosis diagnosis = diagnose::diagnose(study);
   REQUIRE(diagnosis.gap.other_branch.size() == 1);

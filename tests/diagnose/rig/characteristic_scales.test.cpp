@@ -119,8 +119,8 @@ TEST_CASE("scales stay positive without forces, time or stiffness") {
   Experiment experiment = ten_readings();
   for (Reading& r : experiment.runs[0].readings) r.Fx = 0, r.t = 0;
   CharacteristicScales size = characteristic_scales(experiment);
-  CHECK(size.force == close_to(1e-3 * 3 / 0.8));
-  CHECK(size.deflection == 0.02);
+  CHECK(size.force == close_to(0.1 * 3 / 0.8));
+  CHECK(size.deflection == close_to(0.03));
   CHECK(size.duration == 1e-3);
   CHECK(size.sampling_interval == 1e-3);
   CHECK(size.at_largest == 0);

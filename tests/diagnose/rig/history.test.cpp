@@ -22,12 +22,12 @@ double cross(const InPlane& a, const InPlane& b) {
 
 /// One predicted reading, read in relative joint angles: what the statics of the effect catalogue is written
 /// in.
-struct Posture {
+struct Drawn {
   std::vector<double> q;
   std::vector<InPlane> joint;  ///< positions of joints 1 … n and of the end point
   InPlane force;
 
-  Posture(const Trace& trace, Eigen::Index row, const std::vector<double>& length)
+  Drawn(const Trace& trace, Eigen::Index row, const std::vector<double>& length)
       : joint{{0, 0}}, force{trace(row, column_Fx), trace(row, column_Fy)} {
     double theta = 0;
     for (std::size_t j = 0; j < length.size(); ++j) {
@@ -59,7 +59,7 @@ void each_reading(const Experiment& experiment, const Prediction& predicted, Che
   REQUIRE(predicted.reached);
   for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
     for (Eigen::Index i = 0; i < predicted.runs[r].rows(); ++i) {
-      check(Posture(predicted.runs[r], i, experiment.link_length), experiment.runs[r].rest, r,
+      check(Drawn(predicted.runs[r], i, experiment.link_length), experiment.runs[r].rest, r,
             static_cast<std::size_t>(i));
     }
   }
@@ -94,7 +94,7 @@ double largest_difference(const Prediction& a, const Prediction& b) {
 TEST_CASE("the nominal model satisfies k_i (q_i - rest_i) = [J^T F]_i at the imposed end point") {
   const Experiment experiment = full_bench();
   const Prediction predicted = predict(Study(experiment), {}, {});
-  each_reading(experiment, predicted, [&](const Posture& shape, const auto& rest, auto run, auto reading) {
+  each_reading(experiment, predicted, [&](const Drawn& shape, const auto& rest, auto run, auto reading) {
     for (std::size_t i = 0; i < 3; ++i) {
       CHECK(experiment.joint_stiffness[i] * (shape.q[i] - rest[i]) ==
             doctest::Approx(shape.moment(i)).epsilon(up_to_rounding).scale(1));
@@ -162,35 +162,35 @@ TEST_CASE("joint effects balance as their definitions say") {
   const auto torque = [](double value) { return doctest::Approx(value).epsilon(1e-8).scale(1); };
 
   each_reading(experiment, predict(Study(experiment), only("joint_stiffness", 2), {0.3}),
-               [&](const Posture& shape, const auto& rest, auto, auto) {
+               [&](const Drawn& shape, const auto& rest, auto, auto) {
                  CHECK(k[1] * 1.3 * (shape.q[1] - rest[1]) == torque(shape.moment(1)));
                  CHECK(k[2] * (shape.q[2] - rest[2]) == torque(shape.moment(2)));
                });
   each_reading(experiment, predict(Study(experiment), only("rest_angle", 3), {0.07}),
-               [&](const Posture& shape, const auto& rest, auto, auto) {
+               [&](const Drawn& shape, const auto& rest, auto, auto) {
                  CHECK(k[2] * (shape.q[2] - rest[2] - 0.07) == torque(shape.moment(2)));
                });
   each_reading(experiment, predict(Study(experiment), only("nonlinear_spring"), {1.7}),
-               [&](const Posture& shape, const auto& rest, auto, auto) {
+               [&](const Drawn& shape, const auto& rest, auto, auto) {
                  for (std::size_t i = 0; i < 3; ++i) {
                    const double d = shape.q[i] - rest[i];
                    CHECK(k[i] * d * (1 + 1.7 * d * d) == torque(shape.moment(i)));
                  }
                });
   each_reading(experiment, predict(Study(experiment), only("backlash", 1), {0.05}),
-               [&](const Posture& shape, const auto& rest, auto, auto) {
+               [&](const Drawn& shape, const auto& rest, auto, auto) {
                  const double d = shape.q[0] - rest[0];
                  const double engaged = std::max(0.0, std::abs(d) - 0.05);
                  CHECK(std::copysign(k[0] * engaged, d) == torque(shape.moment(0)));
                });
   each_reading(experiment, predict(Study(experiment), only("joint_stop", 2), {0.1, 4.0}),
-               [&](const Posture& shape, const auto& rest, auto, auto) {
+               [&](const Drawn& shape, const auto& rest, auto, auto) {
                  const double d = shape.q[1] - rest[1];
                  const double excess = std::max(0.0, std::abs(d) - 0.1);
                  CHECK(k[1] * d + std::copysign(4.0 * excess, d) == torque(shape.moment(1)));
                });
   each_reading(experiment, predict(Study(experiment), only("joint_coupling"), {0.4}),
-               [&](const Posture& shape, const auto& rest, auto, auto) {
+               [&](const Drawn& shape, const auto& rest, auto, auto) {
                  const auto d = [&](std::size_t i) { return shape.q[i] - rest[i]; };
                  CHECK(k[0] * d(0) - 0.4 * d(1) == torque(shape.moment(0)));
                  CHECK(k[1] * d(1) - 0.4 * (d(0) + d(2)) == torque(shape.moment(1)));
@@ -204,7 +204,7 @@ TEST_CASE("weights, an eccentric load and a held tip balance as their definition
   const auto torque = [](double value) { return doctest::Approx(value).epsilon(1e-8).scale(1); };
 
   each_reading(experiment, predict(Study(experiment), only("gravity"), {0.8}),
-               [&](const Posture& shape, const auto& rest, auto, auto) {
+               [&](const Drawn& shape, const auto& rest, auto, auto) {
                  for (std::size_t i = 0; i < 3; ++i) {
                    double moment = shape.moment(i);
                    for (std::size_t j = i; j < 3; ++j)
@@ -213,21 +213,21 @@ TEST_CASE("weights, an eccentric load and a held tip balance as their definition
                  }
                });
   each_reading(experiment, predict(Study(experiment), only("tip_payload"), {0.6}),
-               [&](const Posture& shape, const auto& rest, auto, auto) {
+               [&](const Drawn& shape, const auto& rest, auto, auto) {
                  for (std::size_t i = 0; i < 3; ++i) {
                    const double moment = shape.moment(i) + shape.moment(i, shape.joint.back(), {0, -0.6});
                    CHECK(k[i] * (shape.q[i] - rest[i]) == torque(moment));
                  }
                });
   each_reading(experiment, predict(Study(experiment), only("eccentric_load"), {0.02}),
-               [&](const Posture& shape, const auto& rest, auto, auto) {
+               [&](const Drawn& shape, const auto& rest, auto, auto) {
                  const double theta = shape.orientation(2);
                  const double extra = 0.02 * cross({-std::sin(theta), std::cos(theta)}, shape.force);
                  for (std::size_t i = 0; i < 3; ++i)
                    CHECK(k[i] * (shape.q[i] - rest[i]) == torque(shape.moment(i) + extra));
                });
   each_reading(experiment, predict(Study(experiment), only("tip_stiffness"), {0.5}),
-               [&](const Posture& shape, const auto& rest, auto, auto) {
+               [&](const Drawn& shape, const auto& rest, auto, auto) {
                  const double turned = shape.orientation(2) - (rest[0] + rest[1] + rest[2]);
                  for (std::size_t i = 0; i < 3; ++i)
                    CHECK(k[i] * (shape.q[i] - rest[i]) == torque(shape.moment(i) - 0.5 * turned));
@@ -240,7 +240,7 @@ TEST_CASE("compliances move the end point as their definitions say") {
   const auto imposed = [&](std::size_t run) { return experiment.runs[run].control == Control::end_point; };
 
   each_reading(experiment, predict(Study(experiment), only("link_length", 2), {0.02}),
-               [&](const Posture& shape, const auto&, auto run, auto reading) {
+               [&](const Drawn& shape, const auto&, auto run, auto reading) {
                  if (!imposed(run)) return;
                  const double extra = 0.02 * experiment.link_length[1];
                  const double theta = shape.orientation(1);
@@ -248,20 +248,20 @@ TEST_CASE("compliances move the end point as their definitions say") {
                        place(experiment.runs[run].readings[reading].x));
                });
   const Prediction base = predict(Study(experiment), only("base_compliance"), {1e-3, 2e-3});
-  each_reading(experiment, base, [&](const Posture& shape, const auto&, auto run, auto reading) {
+  each_reading(experiment, base, [&](const Drawn& shape, const auto&, auto run, auto reading) {
     const double x = base.runs[run](static_cast<Eigen::Index>(reading), column_x);
     const double y = base.runs[run](static_cast<Eigen::Index>(reading), column_y);
     CHECK(shape.joint.back()[0] + 1e-3 * shape.force[0] == place(x));
     CHECK(shape.joint.back()[1] + 2e-3 * shape.force[1] == place(y));
   });
   each_reading(experiment, predict(Study(experiment), only("train_compliance"), {1e-3}),
-               [&](const Posture& shape, const auto&, auto run, auto reading) {
+               [&](const Drawn& shape, const auto&, auto run, auto reading) {
                  if (!imposed(run)) return;
                  CHECK(shape.joint.back()[0] ==
                        place(experiment.runs[run].readings[reading].x - 1e-3 * shape.force[0]));
                });
   const Prediction axial = predict(Study(experiment), only("axial_compliance"), {2e-3});
-  each_reading(experiment, axial, [&](const Posture& shape, const auto&, auto run, auto reading) {
+  each_reading(experiment, axial, [&](const Drawn& shape, const auto&, auto run, auto reading) {
     InPlane end{0, 0};
     for (std::size_t j = 0; j < 3; ++j) {
       const InPlane u{std::cos(shape.orientation(j)), std::sin(shape.orientation(j))};

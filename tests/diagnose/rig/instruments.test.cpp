@@ -113,7 +113,8 @@ TEST_CASE("a nonlinear cell reads F + c F^2 of each component, also under a serv
                    q(predicted(bent, {}, {}))) < 1e-9);
 }
 
-TEST_CASE("a nonlinear cell is identified, and not confused with bias, gain or stiffness") {
+TEST_CASE("a nonlinear cell is identified, and not confused with bias, gain or stiffness" *
+          doctest::test_suite("long")) {
   Experiment experiment = presses();
   const Experiment planted = measured(experiment, only("cell_curvature"), {0.03, 0.01}, 4);
   const Diagnosis diagnosis = diagnose::diagnose(Study(planted));

@@ -81,7 +81,7 @@ TEST_CASE("what rounded counts decide is the exact count, and next to a critical
     for (const Rational& F : beside_critical_forces(chain)) {
       std::size_t sum = 0;
       for (std::size_t part = 0; part < exact.parts().size(); ++part) {
-        const auto certain = RoundedCount(length, stiffness, part).below({F})[0];
+        const auto certain = RoundedCount(length, stiffness, EndPoint::guided, part).below({F})[0];
         RC_ASSERT(certain.has_value());
         RC_ASSERT(*certain == exact.below(F, exact.parts()[part]));
         sum += *certain;
@@ -108,7 +108,7 @@ TEST_CASE("a critical force itself stays open to numbers that round, zero forces
   std::vector<Integer> stiffness = ones;
   stiffness[0] = 0;
   // "Equal links": F_m = 4 sin^2(m pi / 2n), which is 1 for m = n / 3
-  const RoundedCount rounded(ones, stiffness, 0);
+  const RoundedCount rounded(ones, stiffness, EndPoint::guided, 0);
   CHECK(!rounded.below({1})[0].has_value());
   CHECK(rounded.below({1 + shifted(Rational(1), -30)})[0] == 10);
   CHECK(ExactCount(Chain<Rational>(fractions(ones), fractions(stiffness)))

@@ -61,16 +61,18 @@ Structure<Rational> random_structure() {
 
 // RC_PARAMS="seed=1 max_success=10000" checks so many structures
 TEST_CASE("critical factors of random chains with random ends agree with dense eigenvalues in fifty digits") {
-  std::size_t drawn = 0, checked = 0;
-  check_property("dense", [&] {
-    const Structure<Rational> structure = random_structure();
-    ++drawn;
+  check_property("dense", [] {
+    // A fifth to a third of what is drawn at full size is loaded and holds: the others are mechanisms, or
+    // give way before, or their loads only pull.
+    const auto full_size = rc::gen::resize(rc::kNominalSize, rc::gen::exec(random_structure));
+    Structure<Rational> structure = *full_size;
     std::optional<StraightStructure> straight;
-    try {
-      straight.emplace(structure);
-    } catch (const Error&) {
-      return;  // a mechanism, or one that gives way before, or loads that only pull
-    }
+    for (int draw = 0; draw < 50 && !straight; ++draw) try {
+        straight.emplace(structure);
+      } catch (const Error&) {
+        structure = *full_size;
+      }
+    RC_PRE(straight.has_value());
     const std::vector<Mpfr50> dense = dense_factors(structure);
     const auto found = straight->enclose(99, 25);
     RC_ASSERT(found.size() == dense.size());
@@ -80,9 +82,7 @@ TEST_CASE("critical factors of random chains with random ends agree with dense e
       RC_ASSERT(from_rational<Mpfr50>(found[m].low) - slack <= dense[m]);
       RC_ASSERT(dense[m] <= from_rational<Mpfr50>(found[m].high) + slack);
     }
-    ++checked;
   });
-  CHECK(3 * checked > drawn);
 }
 
 TEST_CASE("the string and the pencil of one structure count the same") {

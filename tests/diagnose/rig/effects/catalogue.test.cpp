@@ -186,8 +186,8 @@ TEST_CASE("initial guesses are fractions of the excitation of the joints, by han
                  {s < 3 ? 0.0051 : 0.0255, std::log(0.3 * std::vector{1e-3, 1e-2, 1e-1}[s % 3])});
   const auto stops = [](double reach, double k) {
     std::vector<std::vector<double>> all;
-    for (const double share : {0.2, 0.4, 0.6, 0.8, 0.95})
-      for (const double stiff : {0.3, 3.0}) all.push_back({share * reach, stiff * k});
+    for (const double share : {0.2, 0.4, 0.6, 0.8, 0.92, 0.98})
+      for (const double stiff : {1.0, 30.0}) all.push_back({share * reach, stiff * k});
     return all;
   };
   check_guesses("joint_stop", 2, stops(0.23, 3), 2);
@@ -196,11 +196,11 @@ TEST_CASE("initial guesses are fractions of the excitation of the joints, by han
   const InitialGuesses own =
       other_form("joint_stops").initial_guesses({sizes_by_hand(), 0}, excitation_by_hand());
   CHECK(own.refined == 2);
-  REQUIRE(own.points.size() == 10);
-  check_values(own.points[3], {3.0 * 4, 0.4 * 0.11, 0.4 * 0.23, 0.4 * 0.31});
+  REQUIRE(own.points.size() == 12);
+  check_values(own.points[3], {30.0 * 4, 0.4 * 0.11, 0.4 * 0.23, 0.4 * 0.31});
   const auto knees = [](double reach) {
     std::vector<std::vector<double>> all;
-    for (const double share : {0.2, 0.4, 0.6, 0.8, 0.95})
+    for (const double share : {0.2, 0.4, 0.6, 0.8, 0.92, 0.98})
       for (const double give : {0.2, 0.6}) all.push_back({share * reach, give});
     return all;
   };

@@ -166,7 +166,8 @@ TEST_CASE(
           close_to(spring_stiffness * (0.6 * angle(bent, row, 0) + 0.4 * 0.01)).epsilon(solver_accuracy));
 }
 
-TEST_CASE("piecewise springs are identified, at all joints or at one, and not taken for softening or stops") {
+TEST_CASE("piecewise springs are identified, at all joints or at one, and not taken for softening or stops" *
+          doctest::test_suite("long")) {
   Experiment experiment = cycle();
   press(experiment, {-0.4, 0.6, 0.3}, {-0.05, 0.03}, 40, true);
   press(experiment, {0.4, 0.3, -0.6}, {-0.06, 0.02}, 40, true);

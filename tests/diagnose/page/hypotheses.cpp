@@ -1,0 +1,115 @@
+/// \file
+/// Writes, as JSON, what the rig predicts beside each hypothesis that a search finds, and the verdict: the
+/// data from which decide.py computes the verdict again by docs/how-it-decides.md.
+///
+///     hypotheses FOLDER...
+
+#include <algorithm>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "diagnose/bench/decimate.hpp"
+#include "diagnose/bench/read_experiment.hpp"
+#include "diagnose/decision/verdict.hpp"
+#include "diagnose/inference/prior.hpp"
+#include "diagnose/rig/rig.hpp"
+
+using namespace plumbline::diagnose;
+using Json = nlohmann::json;
+
+namespace {
+
+std::vector<double> list(const VectorXd& values) {
+  return {values.begin(), values.end()};
+}
+
+Json columns(const MatrixXd& matrix) {
+  Json all = Json::array();
+  for (const auto& column : matrix.colwise()) all.push_back(list(column));
+  return all;
+}
+
+/// The command of every reading, from rest.
+Json runs(const Experiment& experiment) {
+  Json all = Json::array();
+  for (const Run& run : experiment.runs) {
+    const Eigen::Vector2d rest =
+        run.holds_end_point() ? Eigen::Vector2d(unloaded_end(experiment, run.rest)) : Eigen::Vector2d(0, 0);
+    Json command = Json::array();
+    for (const Reading& reading : run.readings) {
+      const Eigen::Vector2d now = run.command(reading) - rest;
+      command.push_back(now.allFinite() ? Json{now.x(), now.y()} : Json(nullptr));
+    }
+    all.push_back({{"displacement", run.holds_end_point()}, {"rest", run.rest}, {"command", command}});
+  }
+  return all;
+}
+
+Json parameter(const ParameterRange& range, double value, bool at_bound) {
+  const bool gaussian = range.tolerance > 0;
+  const bool cauchy =
+      range.may_be_nothing() || range.is_onset() || range.coordinate == Coordinate::reciprocal;
+  return {{"value", value},
+          {"at_bound", at_bound},
+          {"prior", gaussian ? "gaussian"
+                    : cauchy ? "cauchy"
+                             : "uniform"},
+          {"scale", gaussian ? range.tolerance : range.scale},
+          {"low", range.low},
+          {"high", range.high}};
+}
+
+Json hypothesis(const Study& study, const Findings& findings, const Hypothesis& one) {
+  Json effects = Json::array(), parameters = Json::array();
+  bool outside = false;
+  for (const EffectAt& at : one.candidate.effects) {
+    const bool tolerance = one.candidate.has_as_tolerance(at);
+    outside = outside || at.effect->outside;
+    effects.push_back({{"label", at.label()}, {"tolerance", tolerance}, {"outside", at.effect->outside}});
+  }
+  const std::vector<ParameterRange> ranges = study.ranges(one.candidate);
+  for (std::size_t p = 0; p < ranges.size(); ++p)
+    parameters.push_back(parameter(ranges[p], one.parameters[p], one.at_bound[p]));
+  Json result{{"effects", effects},
+              {"parameters", parameters},
+              {"residual", list(one.residual)},
+              {"jacobian", columns(one.jacobian)},
+              {"log_prior", one.log_prior}};
+  if (outside) result["discrepancy"] = discrepancy_share(study, findings, one);
+  return result;
+}
+
+Json described(const std::string& folder) {
+  const Study study(decimated(read_experiment(folder, nullptr)));
+  const Findings findings = search(study);
+  const Posterior found = posterior(study, findings);
+  const Verdict verdict = decide(found);
+  const Measurements& measurements = study.measurements();
+  const NoiseShape& shape = findings.likelihood->shape();
+  Json blocks = Json::array(), places = Json::array(), named = Json::array(), hypotheses = Json::array();
+  for (const Block& block : measurements.blocks()) blocks.push_back({block.first, block.count});
+  for (const ReadingPlace& place : measurements.places()) places.push_back({place.run, place.reading});
+  for (std::size_t i = 0; i < verdict.named; ++i) named.push_back(found.causes[i].labels);
+  for (const Hypothesis& one : findings.hypotheses) hypotheses.push_back(hypothesis(study, findings, one));
+  return {{"folder", folder},
+          {"runs", runs(study.experiment())},
+          {"blocks", blocks},
+          {"places", places},
+          {"sigma", list(measurements.sigma())},
+          {"relative", list(shape.relative)},
+          {"outlier", shape.outlier},
+          {"periodic", columns(shape.periodic)},
+          {"nominal", list(study.nominal_residual())},
+          {"hypotheses", hypotheses},
+          {"verdict", verdict_word(verdict.verdict)},
+          {"named", named},
+          {"or_outside", verdict.or_outside},
+          {"no_gap", found.no_gap},
+          {"outside", found.outside}};
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  for (int i = 1; i < count; ++i) std::cout << described(arguments[i]) << std::endl;
+}
