@@ -61,8 +61,9 @@ Channel abscissa(const Experiment& experiment, const Run& like) {
     }
     return high - low;
   };
-  const auto [first, second] = like.imposed();
-  return spread(second) > spread(first) ? second : first;
+  const std::vector<Channel> imposed = like.imposed();
+  return *std::max_element(imposed.begin(), imposed.end(),
+                           [&](const Channel& a, const Channel& b) { return spread(a) < spread(b); });
 }
 
 Missing channel(const Study& study, const NoiseEstimate& noise, const Channel& of) {

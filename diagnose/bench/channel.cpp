@@ -5,13 +5,34 @@
 namespace plumbline::diagnose {
 
 Sensor Channel::sensor() const {
-  if (name == Name::q) return Sensor::angle;
-  return name == Name::x || name == Name::y ? Sensor::position : Sensor::force;
+  switch (name) {
+    case Name::x:
+    case Name::y:
+      return Sensor::position;
+    case Name::Fx:
+    case Name::Fy:
+      return Sensor::force;
+    case Name::torque:
+      return Sensor::torque;
+    case Name::q:
+    case Name::angle:
+      break;
+  }
+  return Sensor::angle;
 }
 
 std::string label(Sensor sensor) {
-  if (sensor == Sensor::position) return "position";
-  return sensor == Sensor::force ? "force" : "angle";
+  switch (sensor) {
+    case Sensor::position:
+      return "position";
+    case Sensor::force:
+      return "force";
+    case Sensor::torque:
+      return "torque";
+    case Sensor::angle:
+      break;
+  }
+  return "angle";
 }
 
 std::string label(Channel::Name name) {
@@ -24,6 +45,10 @@ std::string label(Channel::Name name) {
       return "Fx";
     case Channel::Name::Fy:
       return "Fy";
+    case Channel::Name::angle:
+      return "angle";
+    case Channel::Name::torque:
+      return "torque";
     case Channel::Name::q:
       break;
   }
@@ -40,6 +65,8 @@ std::string_view Channel::unit() const {
       return "m";
     case Sensor::force:
       return "N";
+    case Sensor::torque:
+      return "N m";
     case Sensor::angle:
       break;
   }
@@ -49,10 +76,12 @@ std::string_view Channel::unit() const {
 double& Channel::in(Reading& reading) const {
   switch (name) {
     case Name::x:
+    case Name::angle:
       return reading.x;
     case Name::y:
       return reading.y;
     case Name::Fx:
+    case Name::torque:
       return reading.Fx;
     case Name::Fy:
       return reading.Fy;
@@ -69,10 +98,12 @@ double Channel::of(const Reading& reading) const {
 double Channel::sigma(const Noise& noise) const {
   switch (name) {
     case Name::x:
+    case Name::angle:
       return noise.x;
     case Name::y:
       return noise.y;
     case Name::Fx:
+    case Name::torque:
       return noise.Fx;
     case Name::Fy:
       return noise.Fy;

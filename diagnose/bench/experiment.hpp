@@ -15,7 +15,8 @@
 namespace plumbline::diagnose {
 
 /// One reading. A missing value is NaN; imposed channels hold the command. (Fx, Fy) is the force of the
-/// environment on the end point: compression is Fx < 0.
+/// environment on the end point: compression is Fx < 0. Of a joint alone x is the angle, Fx the torque of the
+/// environment, and y and Fy are 0.
 struct Reading {
   double t, x, y, Fx, Fy;
   std::vector<double> q;  ///< relative joint angles; empty where the run has no such columns
@@ -61,6 +62,7 @@ struct Run {
   Groups groups = {};
   std::size_t number = 0;            ///< of all runs of the experiment, from 0; see Experiment::run_count
   std::vector<Origin> origins = {};  ///< of t, x, y, Fx, Fy and the joint angles; empty where it was not read
+  Alone alone = Alone::no;           ///< of whose bench it is a run
   bool begins_moving = false;        ///< the first reading was taken on the way; else the run begins relaxed
   bool by_weights = false;           ///< an imposed force is that of weights, not of a servo with a load cell
   bool weights_inferred = false;     ///< by_weights follows from the forces, not from the experiment's file
@@ -68,9 +70,11 @@ struct Run {
       std::nullopt;  ///< the observed branch, where the nominal model may take either
 
   [[nodiscard]] bool holds_end_point() const { return control == Control::end_point; }
-  /// The imposed channels, along x and along y.
-  [[nodiscard]] std::array<Channel, 2> imposed() const;
-  /// Their values at a reading: an end point, m, or a force, N.
+  /// The imposed channels, along x and along y; of a joint alone its angle or its torque.
+  [[nodiscard]] std::vector<Channel> imposed() const;
+  /// The channels that answer them.
+  [[nodiscard]] std::vector<Channel> answering() const;
+  /// Values of the imposed channels at a reading: an end point, m, or a force, N; an angle or a torque, and 0.
   [[nodiscard]] Eigen::Vector2d imposed_at(const Reading& reading) const;
   /// Whether each reading has a command of its own to every joint, as servos get it.
   [[nodiscard]] bool commands_joints() const { return !readings.empty() && !readings.front().rest.empty(); }
@@ -99,7 +103,7 @@ struct Run {
   [[nodiscard]] bool counts_readings() const;
   /// Median interval between readings of different times, s; zero where no time passes.
   [[nodiscard]] double sampling_interval() const;
-  /// The measured channels: force or end point, whichever is not imposed, then the joint angles with columns.
+  /// The measured channels: those that answer, then the joint angles with columns.
   [[nodiscard]] std::vector<Channel> measured() const;
   /// The first and last original reading, from 0, of a decimated reading.
   [[nodiscard]] std::size_t first_taken(std::size_t reading) const;

@@ -37,16 +37,18 @@ struct Units {
   }
 };
 
-Units read_units(const Section& root) {
+Units read_units(const Section& root, Alone alone) {
   const Section units = root.table_or_empty("units");
   units.allow_only({"link_length", "joint_stiffness", "link_mass", "gravity", "rest"});
   const auto unit = [&](const char* key, const Quantity& quantity) {
     return units.has(key) ? parse_unit(units.text(key, quantity.examples), quantity, units.place(key))
                           : si_unit(quantity);
   };
-  return {unit("link_length", quantity::length), unit("joint_stiffness", quantity::stiffness),
+  const bool slides = alone == Alone::slides;
+  return {unit("link_length", quantity::length),
+          unit("joint_stiffness", slides ? quantity::sliding_stiffness : quantity::stiffness),
           unit("link_mass", quantity::mass), unit("gravity", quantity::acceleration),
-          unit("rest", quantity::angle)};
+          unit("rest", slides ? quantity::length : quantity::angle)};
 }
 
 std::vector<double> in_si(std::vector<double> values, const Unit& unit) {
@@ -56,7 +58,7 @@ std::vector<double> in_si(std::vector<double> values, const Unit& unit) {
 
 /// A nominal model in these units.
 NominalChain in_si(NominalChain chain, const Units& units) {
-  chain.link_length = in_si(std::move(chain.link_length), units.link_length);
+  if (chain.alone == Alone::no) chain.link_length = in_si(std::move(chain.link_length), units.link_length);
   chain.joint_stiffness = in_si(std::move(chain.joint_stiffness), units.joint_stiffness);
   chain.link_mass = in_si(std::move(chain.link_mass), units.link_mass);
   chain.rest = in_si(std::move(chain.rest), units.rest);
@@ -73,7 +75,11 @@ Bench::Plane plane(const Section& bench) {
   throw Error(bench.place("gravity_plane"), "\"" + word + "\"", expected);
 }
 
-Bench read_bench(const Section& bench) {
+/// \param alone  a joint without a link has no weight
+Bench read_bench(const Section& root, Alone alone) {
+  if (alone != Alone::no && root.has("bench")) root.refuse("bench", "nothing: a joint alone has no weight");
+  if (alone != Alone::no) return {Bench::Plane::horizontal, {0.0, 0.0}, false};
+  const Section bench = root.table_or_empty("bench");
   bench.allow_only({"gravity_plane", "gravity_direction"});
   Bench result{Bench::Plane::unknown, {0.0, 0.0}, false};
   if (bench.has("gravity_plane")) result.plane = plane(bench);
@@ -92,12 +98,15 @@ Bench read_bench(const Section& bench) {
 
 /// Each noise in the unit of its readings.
 Noise read_noise(const Section& noise, const SampleFormat& format) {
-  noise.allow_only({"x", "y", "Fx", "Fy", "q"});
-  const auto sigma = [&](const char* key, std::size_t column) {
+  const auto sigma = [&](std::size_t column) {
+    const std::string key = column == place_q1 ? "q" : format.columns[column].channel;
     return in_si(noise.non_negative(key), format.columns[column].unit);
   };
-  return {sigma("x", place_x), sigma("y", place_y), sigma("Fx", place_Fx), sigma("Fy", place_Fy),
-          sigma("q", place_q1)};
+  const std::set<std::string> all{"x", "y", "Fx", "Fy", "q", "angle", "torque"};
+  noise.allow_only(all);
+  for (const std::string& key : all)
+    if (noise.has(key) && !has_channel(format.alone, key)) refuse_channel(noise, format.alone, key);
+  return {sigma(place_x), sigma(place_y), sigma(place_Fx), sigma(place_Fy), sigma(place_q1)};
 }
 
 /// \throws Error for a path outside the folder, after resolving links, or for no regular file
@@ -184,6 +193,7 @@ bool read_beginning(const Section& section, const Run& run) {
 std::vector<double> read_rest(const Section& section, const Shared& shared) {
   const Experiment& experiment = shared.experiment;
   if (!section.has("rest") && !experiment.rest.empty()) return experiment.rest;
+  if (!section.has("rest") && experiment.alone != Alone::no) return {0};
   const std::vector<double> rest = section.numbers("rest", 0);
   if (rest.size() != experiment.link_length.size())
     throw Error(section.place("rest"), fmt::format("{} values", rest.size()),
@@ -195,12 +205,14 @@ Run read_run(const Section& section, const Shared& shared) {
   section.allow_only({"id", "control", "begins", "loaded_by", "rest", "samples", "csv", "columns"});
   Run run;
   run.id = section.name("id", "a name");
-  const std::string expected = "\"displacement\", \"force\" or \"command\"";
-  const std::string control = section.text("control", expected);
-  if (control != "displacement" && control != "force" && control != "command")
-    section.refuse("control", expected);
+  run.alone = shared.experiment.alone;
+  const std::string place = run.alone == Alone::turns ? "angle" : "displacement",
+                    load = run.alone == Alone::turns ? "torque" : "force",
+                    expected = "\"" + place + "\", \"" + load + "\" or \"command\"",
+                    control = section.text("control", expected);
+  if (control != place && control != load && control != "command") section.refuse("control", expected);
   const bool commanded = control == "command";
-  run.control = control == "displacement" ? Control::end_point : Control::force;
+  run.control = control == place ? Control::end_point : Control::force;
   if (commanded && section.has("rest"))
     section.refuse("rest", "nothing beside control = \"command\": q_command says it");
   if (!commanded) run.rest = read_rest(section, shared);
@@ -245,14 +257,15 @@ Experiment read_settings(const Section& root, const Source& source, const Nomina
   static_cast<void>(read_date(root));  // of use to who compares experiments
   Experiment experiment;
   experiment.name = root.name("name", "a name");
-  const Units units = read_units(root);
-  static_cast<NominalChain&>(experiment) = model ? *model : in_si(read_nominal(root.table("nominal")), units);
+  const NominalChain nominal = model ? *model : read_nominal(root.table("nominal"));
+  const Units units = read_units(root, nominal.alone);
+  static_cast<NominalChain&>(experiment) = model ? nominal : in_si(nominal, units);
   experiment.origins = units.origins(model == nullptr);
-  experiment.bench =
-      root.has("bench") ? read_bench(root.table("bench")) : Bench{Bench::Plane::unknown, {0.0, 0.0}, false};
-  const Shared shared{source, experiment,
-                      read_sample_format(root, standard_format(experiment.link_length.size())), units.rest,
-                      model ? "the model that is given" : "the nominal chain"};
+  experiment.bench = read_bench(root, nominal.alone);
+  const Shared shared{
+      source, experiment,
+      read_sample_format(root, standard_format(experiment.link_length.size(), nominal.alone)), units.rest,
+      model ? "the model that is given" : "the nominal chain"};
   experiment.noise = read_noise(root.table("noise"), shared.format);
   experiment.runs = read_runs(root, shared);
   count_from_first_reading(experiment.runs);

@@ -134,8 +134,11 @@ class Reader {
     if (std::isnan(r.t)) throw Error(where(row) + ", t", "an empty field", "the time of the reading");
     const bool displacement = control_ == Control::end_point;
     if (std::isnan(displacement ? r.x : r.Fx) || std::isnan(displacement ? r.y : r.Fy)) {
+      const std::size_t first = displacement ? place_x : place_Fx, second = displacement ? place_y : place_Fy;
+      const auto& name = format_.columns;
       throw Error(where(row), "an empty imposed channel",
-                  displacement ? "the commanded x and y" : "the commanded Fx and Fy");
+                  "the commanded " + name[first].channel +
+                      (format_.alone == Alone::no ? " and " + name[second].channel : ""));
     }
     if (std::any_of(r.rest.begin(), r.rest.end(), [](double angle) { return std::isnan(angle); }))
       throw Error(where(row), "an empty q_command", "the commanded angle of every joint");

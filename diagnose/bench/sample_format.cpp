@@ -4,17 +4,28 @@
 
 #include <array>
 #include <plumbline/base/error.hpp>
+#include <set>
 
 #include "support/files/printable.hpp"
 
 namespace plumbline::diagnose {
 namespace {
 
-const std::array<std::pair<const char*, const Quantity*>, 5> single_channels{{{"t", &quantity::time},
-                                                                              {"x", &quantity::length},
-                                                                              {"y", &quantity::length},
-                                                                              {"Fx", &quantity::force},
-                                                                              {"Fy", &quantity::force}}};
+using SingleChannels = std::array<std::pair<const char*, const Quantity*>, 5>;
+
+/// In the order of their places.
+SingleChannels single_channels(Alone alone) {
+  using namespace quantity;
+  SingleChannels all{{{"t", &time}, {"x", &length}, {"y", &length}, {"Fx", &force}, {"Fy", &force}}};
+  if (alone == Alone::turns) all[place_x] = {"angle", &angle}, all[place_Fx] = {"torque", &torque};
+  return all;
+}
+
+/// That in which joints move.
+const Quantity& of_joints(Alone alone) {
+  return alone == Alone::slides ? quantity::length : quantity::angle;
+}
+
 
 char delimiter(const Section& csv) {
   const std::string expected = R"(",", ";", "|", "tab" or "blanks")", word = csv.text("delimiter", expected);
@@ -147,15 +158,19 @@ void read_angles(const Section& columns, const std::string& key, std::size_t fir
   if (!columns.has(key)) return;
   std::vector<Column*> angles;
   for (std::size_t i = 0; i < format.joints(); ++i) angles.push_back(&format.columns[first + i]);
-  ColumnReader(columns, key, quantity::angle).read(angles);
+  ColumnReader(columns, key, of_joints(format.alone)).read(angles);
   absolute = columns.node(key).is_table() && columns.table(key).flag_or("absolute", false);
 }
 
 void read_columns(const Section& columns, SampleFormat& format) {
-  columns.allow_only({"t", "x", "y", "Fx", "Fy", "q", "q_command"});
+  const SingleChannels single = single_channels(format.alone);
+  const std::set<std::string> all{"t", "x", "y", "Fx", "Fy", "q", "q_command", "angle", "torque"};
+  columns.allow_only(all);
+  for (const std::string& key : all)
+    if (columns.has(key) && !has_channel(format.alone, key)) refuse_channel(columns, format.alone, key);
   format.any_order = true;
-  for (std::size_t c = 0; c < single_channels.size(); ++c) {
-    const auto& [key, quantity] = single_channels[c];
+  for (std::size_t c = 0; c < single.size(); ++c) {
+    const auto& [key, quantity] = single[c];
     if (columns.has(key)) ColumnReader(columns, key, *quantity).read({&format.columns[c]});
   }
   read_angles(columns, "q", place_q1, format, format.absolute_angles);
@@ -164,14 +179,37 @@ void read_columns(const Section& columns, SampleFormat& format) {
 
 }  // namespace
 
-SampleFormat standard_format(std::size_t joints) {
+bool has_channel(Alone alone, const std::string& key) {
+  const bool own = key == "t" || key == "q_command";
+  switch (alone) {
+    case Alone::turns:
+      return own || key == "angle" || key == "torque";
+    case Alone::slides:
+      return own || key == "x" || key == "Fx";
+    case Alone::no:
+      break;
+  }
+  return key != "angle" && key != "torque";
+}
+
+void refuse_channel(const Section& section, Alone alone, const std::string& key) {
+  section.refuse(key, alone == Alone::no      ? "nothing: angle and torque are of a joint alone, nominal.joint"
+                      : alone == Alone::turns ? "nothing: a joint that turns has an angle and a torque"
+                                              : "nothing: a joint that slides has x and Fx");
+}
+
+SampleFormat standard_format(std::size_t joints, Alone alone) {
   SampleFormat format;
-  for (const auto& [name, quantity] : single_channels)
+  format.alone = alone;
+  format.any_order = alone != Alone::no;
+  for (const auto& [name, quantity] : single_channels(alone))
     format.columns.push_back({name, name, 0, {}, si_unit(*quantity)});
+  if (alone != Alone::no)
+    for (const std::size_t place : {place_y, place_Fy}) format.columns[place].constant = "0";
   for (const char* key : {"q", "q_command"})
     for (std::size_t i = 1; i <= joints; ++i) {
       const std::string name = key + std::to_string(i);
-      format.columns.push_back({name, name, 0, {}, si_unit(quantity::angle)});
+      format.columns.push_back({name, name, 0, {}, si_unit(of_joints(alone))});
     }
   return format;
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "diagnose/bench/nominal_chain.hpp"
 #include "diagnose/bench/section.hpp"
 #include "diagnose/bench/unit.hpp"
 
@@ -14,7 +15,7 @@ namespace plumbline::diagnose {
 
 /// The column of one channel. A value is sign * (reading - zero), in the unit.
 struct Column {
-  std::string channel;                  ///< "Fx", "q3" or "q_command3"
+  std::string channel;                  ///< "Fx", "torque", "q3" or "q_command3"
   std::string name;                     ///< in the header; empty where the column has a number
   std::size_t number = 0;               ///< from 1, where there is no name
   std::optional<std::string> constant;  ///< a decimal that holds for all readings; there is no column
@@ -41,6 +42,7 @@ struct SampleFormat {
   bool absolute_angles = false;    ///< angles against x, not against the previous link
   bool absolute_commands = false;  ///< likewise
   bool commanded = false;       ///< of a run that imposes joint angles: q_command is required, forces are not
+  Alone alone = Alone::no;      ///< of a joint alone: x and Fx are its angle and torque, y and Fy are 0
   std::vector<Column> columns;  ///< t, x, y, Fx, Fy, q1 … qn, q_command1 … q_commandn
 
   [[nodiscard]] std::size_t joints() const { return (columns.size() - place_q1) / 2; }
@@ -48,8 +50,13 @@ struct SampleFormat {
   [[nodiscard]] std::size_t place_command1() const { return place_q1 + joints(); }
 };
 
+/// Whether a chain, or a joint alone, has the channel of a key of [columns] or [noise].
+bool has_channel(Alone alone, const std::string& key);
+/// \throws Error for the key of a channel that it does not have
+[[noreturn]] void refuse_channel(const Section& section, Alone alone, const std::string& key);
+
 /// The format without any setting: docs/experiment-format.md, "Sample files".
-SampleFormat standard_format(std::size_t joints);
+SampleFormat standard_format(std::size_t joints, Alone alone = Alone::no);
 
 /// The format after the tables [csv] and [columns] of a section.
 /// \throws Error that names file, line and key

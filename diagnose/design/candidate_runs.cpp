@@ -21,7 +21,10 @@ struct Direction {
   Vector2 along;
 };
 
-const std::vector<Direction>& directions() {
+/// A joint alone goes one way or the other.
+const std::vector<Direction>& directions(Alone alone) {
+  static const std::vector<Direction> line{{"down", {-1, 0}}, {"up", {1, 0}}};
+  if (alone != Alone::no) return line;
   static const std::vector<Direction> all{{"along -x", {-1, 0}},
                                           {"along +x", {1, 0}},
                                           {"along +y", {0, 1}},
@@ -47,14 +50,14 @@ double largest_force(const Trace& trace) {
 }
 
 /// A run whose command moves from `start` by `by`, and back if asked.
-Run gone(Control control, const std::vector<double>& rest, const Vector2& start, const Vector2& by, bool back,
-         double pause) {
-  Run run{"proposed", control, rest, {}};
+Run gone(const Shape& from, const Vector2& start, const Vector2& by, bool back, double pause) {
+  Run run{"proposed", from.control, from.rest, {}};
+  run.alone = from.alone;
   const int last = back ? 2 * press_steps : press_steps;
   for (int i = 0; i <= last; ++i) {
     const double share = static_cast<double>(std::min(i, 2 * press_steps - i)) / press_steps;
     const Vector2 to = start + share * by;
-    if (control == Control::end_point) {
+    if (from.control == Control::end_point) {
       run.readings.push_back({i * pause, to.x(), to.y(), not_measured, not_measured, {}});
     } else {
       run.readings.push_back({i * pause, not_measured, not_measured, to.x(), to.y(), {}});
@@ -85,8 +88,7 @@ std::vector<double> ways(const Experiment& experiment, const Shape& shape, const
   std::vector<double> all;
   for (int power = longest; power >= shortest && all.size() < 2; --power) {
     const double by = std::pow(1.5, power) * so_far.travel;
-    const Run there_and_back =
-        gone(Control::end_point, shape.rest, start, by * along, true, so_far.sampling_interval);
+    const Run there_and_back = gone(shape, start, by * along, true, so_far.sampling_interval);
     if (follows(experiment, there_and_back, so_far)) all.push_back(by);
   }
   std::reverse(all.begin(), all.end());
@@ -97,13 +99,13 @@ std::vector<CandidateRun> presses(const Experiment& experiment, const Shape& sha
                                   const OperatingEnvelope& so_far) {
   std::vector<CandidateRun> all;
   const Vector2 start = unloaded_end(experiment, shape.rest);
-  for (const Direction& one : directions())
+  const bool turns = shape.alone == Alone::turns;
+  for (const Direction& one : directions(shape.alone))
     for (const double by : ways(experiment, shape, start, one.along, so_far))
       for (const bool back : {false, true})
-        all.push_back(
-            {fmt::format("press {} by {:.3g} m from {}{}", one.name, by, shape.words,
-                         back ? " and unload" : ""),
-             gone(Control::end_point, shape.rest, start, by * one.along, back, so_far.sampling_interval)});
+        all.push_back({fmt::format("{} {} by {:.3g} {} from {}{}", turns ? "turn" : "press", one.name, by,
+                                   turns ? "rad" : "m", shape.words, back ? " and unload" : ""),
+                       gone(shape, start, by * one.along, back, so_far.sampling_interval)});
   return all;
 }
 
@@ -118,7 +120,7 @@ std::optional<Vector2> bearable(const Experiment& experiment, const Shape& shape
   double force = so_far.force > 0 ? so_far.force : 2 * wanted * stiffest / shortest;
   for (int halved = 0; halved < 12; ++halved, force /= 2) {
     Experiment bench = experiment;
-    bench.runs = {gone(Control::force, shape.rest, {0, 0}, force * along, true, so_far.sampling_interval)};
+    bench.runs = {gone(shape, {0, 0}, force * along, true, so_far.sampling_interval)};
     const Prediction nominal = simulate(bench, nominal_rig(bench), {});
     if (nominal.reached && !nominal.snapped && largest_deflection(nominal.runs[0], shape.rest) <= wanted)
       return force * along;
@@ -129,13 +131,14 @@ std::optional<Vector2> bearable(const Experiment& experiment, const Shape& shape
 std::vector<CandidateRun> loads(const Experiment& experiment, const Shape& shape,
                                 const OperatingEnvelope& so_far) {
   std::vector<CandidateRun> all;
-  for (const Direction& one : directions()) {
+  for (const Direction& one : directions(shape.alone)) {
     const std::optional<Vector2> load = bearable(experiment, shape, one.along, so_far);
     if (!load) continue;
     for (const bool back : {false, true})
-      all.push_back({fmt::format("load with {:.3g} N {} from {}{}", load->norm(), one.name, shape.words,
+      all.push_back({fmt::format("load with {:.3g} {} {} from {}{}", load->norm(),
+                                 shape.alone == Alone::turns ? "N m" : "N", one.name, shape.words,
                                  back ? " and unload" : ""),
-                     gone(Control::force, shape.rest, {0, 0}, *load, back, so_far.sampling_interval)});
+                     gone(shape, {0, 0}, *load, back, so_far.sampling_interval)});
   }
   return all;
 }
@@ -190,9 +193,11 @@ std::vector<Shape> shapes(const Experiment& experiment, std::size_t most) {
   std::vector<const Run*> runs;
   for (const Run& run : experiment.runs) runs.push_back(&run);
   std::sort(runs.begin(), runs.end(), [](const Run* a, const Run* b) { return a->id < b->id; });
-  for (const Run* run : runs) add({run->control, run->rest, "the rest shape of " + run->id});
+  const bool alone = experiment.alone != Alone::no;
   for (const Run* run : runs)
-    add({run->control, mirrored(run->rest), "the mirrored rest shape of " + run->id});
+    add({run->control, run->rest, (alone ? "the rest of " : "the rest shape of ") + run->id, run->alone});
+  for (const Run* run : runs)
+    if (!alone) add({run->control, mirrored(run->rest), "the mirrored rest shape of " + run->id});
   return all;
 }
 

@@ -35,6 +35,7 @@ struct Shape {
   Control control;
   std::vector<double> rest;
   std::string words;
+  Alone alone = Alone::no;
 };
 
 /// The distinct rest shapes of the runs, by their ids, followed by their mirror images.

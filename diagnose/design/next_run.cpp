@@ -46,12 +46,9 @@ std::optional<std::vector<Prediction>> predictions(const Study& bench,
 
 /// The measured channels of a run that have a noise, with joint angles where they are asked for.
 std::vector<Channel> channels_of(const Run& run, const Noise& sigma, bool angles) {
-  using Name = Channel::Name;
-  std::vector<Channel> channels;
-  for (const Name name :
-       run.holds_end_point() ? std::array{Name::Fx, Name::Fy} : std::array{Name::x, Name::y})
-    channels.push_back({name});
-  for (std::size_t j = 0; angles && j < run.rest.size(); ++j) channels.push_back({Name::q, j});
+  std::vector<Channel> channels = run.answering();
+  for (std::size_t j = 0; angles && run.alone == Alone::no && j < run.rest.size(); ++j)
+    channels.push_back({Channel::Name::q, j});
   std::erase_if(channels, [&](const Channel& one) { return !(one.sigma(sigma) > 0); });
   return channels;
 }
@@ -121,7 +118,7 @@ class Planner {
       : experiment_(study.experiment()),
         noise_(noise),
         so_far_(operating_envelope(study)),
-        reads_angles_(study.scales().measures(Channel::Name::q)),
+        reads_angles_(study.scales().measures(Channel::Name::q) || !study.scales().links),
         hypotheses_(hypotheses) {
     for (const Hypothesis& hypothesis : hypotheses_) open_.push_back(covariance(study, hypothesis));
     for (const Hypothesis& truth : hypotheses_)
@@ -199,7 +196,7 @@ class Planner {
   const Experiment& experiment_;
   const NoiseEstimate& noise_;
   OperatingEnvelope so_far_;
-  bool reads_angles_;  ///< in the experiment so far
+  bool reads_angles_;  ///< in the experiment so far; a joint alone has no other angles
   const std::vector<Hypothesis>& hypotheses_;
   std::vector<MatrixXd> open_;                ///< covariance of their parameters
   std::vector<LinearisedAlternative> known_;  ///< [truth][alternative]

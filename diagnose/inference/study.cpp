@@ -5,6 +5,7 @@
 #include <plumbline/base/parallel.hpp>
 
 #include "diagnose/rig/nominal.hpp"
+#include "diagnose/rig/sliding_unit.hpp"
 
 namespace plumbline::diagnose {
 namespace {
@@ -106,7 +107,10 @@ const Excitation& Study::excitation() const {
 }
 
 std::vector<ParameterRange> Study::ranges(const EffectAt& at) const {
-  return at.effect->parameters({scales_, index_of(at)});
+  std::vector<ParameterRange> all = at.effect->parameters({scales_, index_of(at)});
+  if (experiment_.alone == Alone::slides)
+    for (ParameterRange& one : all) one.unit = sliding_unit(one.unit);
+  return all;
 }
 
 std::vector<ParameterRange> Study::ranges(const Candidate& candidate) const {

@@ -382,9 +382,9 @@ class RunWalk {
   /// Direction of motion for a channel, 1 or -1; 1 before the first motion. Varied rigs share it, for a
   /// reversal at another reading would turn a jump into a slope.
   [[nodiscard]] double direction_of(const Channel& channel) const {
-    const bool along_x = channel.name == Channel::Name::x || channel.name == Channel::Name::Fx;
+    const bool along_y = channel.name == Channel::Name::y || channel.name == Channel::Name::Fy;
     const double way =
-        channel.name == Channel::Name::q ? turning_[channel.joint].way : direction_(along_x ? 0 : 1);
+        channel.name == Channel::Name::q ? turning_[channel.joint].way : direction_(along_y ? 1 : 0);
     return way < 0 ? -1 : 1;
   }
 

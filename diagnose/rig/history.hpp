@@ -14,6 +14,8 @@ namespace plumbline::diagnose {
 enum ChannelColumn : Eigen::Index { column_x, column_y, column_Fx, column_Fy, column_q };
 
 inline Eigen::Index column_of(const Channel& channel) {
+  if (channel.name == Channel::Name::angle) return column_x;
+  if (channel.name == Channel::Name::torque) return column_Fx;
   return static_cast<Eigen::Index>(static_cast<std::size_t>(channel.name) + channel.joint);
 }
 

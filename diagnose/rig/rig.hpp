@@ -40,6 +40,8 @@ struct FrictionLaw {
 };
 
 struct Rig {
+  bool alone = false;  ///< the one joint has no link: force.x is its torque, and the place x its angle
+
   // The chain, per joint or link.
   std::vector<double> length;      ///< L_j
   std::vector<double> stiffness;   ///< k_i

@@ -67,12 +67,15 @@ void RigModel<Bandwidth>::assemble(const Vector<double>& angle, const Point<doub
   if constexpr (Bandwidth > 1) {
     if (step_->run.rig.coupling != 0) add_coupling<derivatives>(angle, at);
   }
-  if (Bandwidth > 1 && layout_.bending) {
+  if (step_->run.rig.alone) {
+    load_joint<derivatives>(angle, force, at);
+  } else if (Bandwidth > 1 && layout_.bending) {
     for (std::size_t j = 0; j < layout_.links; ++j) add_bending_link<derivatives>(j, angle, force, at);
+    add_end<derivatives>(angle, force, at);
   } else {
     add_rigid_links<derivatives>(angle, force, at);
+    add_end<derivatives>(angle, force, at);
   }
-  add_end<derivatives>(angle, force, at);
   if (step_->run.rig.stated_torques.empty()) return;
   for (std::size_t i = 0; i < layout_.links; ++i)
     add_stated<derivatives>(i, layout_.joint_angle(angle, i), force, at);
@@ -237,6 +240,20 @@ void RigModel<Bandwidth>::add_bending_link(std::size_t j, const Vector<double>& 
     for (Eigen::Index a = 0; a < 3; ++a)
       for (Eigen::Index b = 0; b <= a; ++b)
         at.hessian(a - b, first + b) += shape(a) * shape(b) * part.stiffness;
+  }
+}
+
+template <int Bandwidth>
+template <bool derivatives>
+void RigModel<Bandwidth>::load_joint(const Vector<double>& angle, const Vector2& force, At& at) const {
+  at.residual(0) -= force.x();
+  // Nothing acts across: a unit compliance there leaves no force where the place 0 is imposed.
+  at.end_point = {angle(0), force.y()};
+  if constexpr (derivatives) {
+    at.energy += force.y() * force.y() / 2;
+    at.end_point_gradient(0, 0) = 1;
+    at.compliance(1, 1) = 1;
+    at.force_gradient = at.end_point_gradient;
   }
 }
 

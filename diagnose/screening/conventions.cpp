@@ -73,7 +73,7 @@ double distance_at_start(const Experiment& experiment) {
   double sum = 0;
   const double whole = std::accumulate(experiment.link_length.begin(), experiment.link_length.end(), 0.0);
   for (const Run& run : experiment.runs) {
-    if (!run.holds_end_point() || run.readings.empty()) continue;
+    if (!run.holds_end_point() || run.readings.empty() || run.alone != Alone::no) continue;
     sum += (run.command(run.readings.front()) - unloaded_end(experiment, run.rest)).norm() / whole;
   }
   return sum;
@@ -83,7 +83,7 @@ double distance_at_start(const Experiment& experiment) {
 /// fractions of the sensor's in the run.
 struct Change {
   double before = 0, after = 0;
-  std::array<ColumnSums, 3> was, is;
+  std::array<ColumnSums, sensors> was, is;
   bool readable = true;  ///< the converted columns hold most of their readings
 
   Change& operator+=(const Change& other) {
@@ -130,7 +130,7 @@ bool centred(const ColumnSums& sensor, double factor) {
   return best > 0 && std::abs(std::log(best)) < tolerance(factor, shape);
 }
 
-double relative_rms(const std::array<ColumnSums, 3>& sensors) {
+double relative_rms(const std::array<ColumnSums, sensors>& sensors) {
   double left = 0, measured = 0;
   for (const ColumnSums& one : sensors) left += one.difference(), measured += one.measured;
   return std::sqrt(left / measured);

@@ -114,8 +114,7 @@ void require_noise(const Run& run, const Noise& noise) {
     const bool read = std::any_of(run.readings.begin(), run.readings.end(),
                                   [&](const Reading& r) { return !std::isnan(channel.of(r)); });
     if (!read || channel.sigma(noise) > 0) continue;
-    const std::string name = channel.sensor() == Sensor::angle ? "q" : channel.label();
-    throw Error("noise." + name, "0, or nothing", "a positive figure: run \"" + run.id + "\" measures it");
+    throw Error("noise." + label(channel.name), "0, or nothing", "a positive figure: run \"" + run.id + "\" measures it");
   }
 }
 
@@ -143,6 +142,10 @@ void require_resolved(const Experiment& experiment, double reach) {
   const Noise& noise = experiment.noise;
   constexpr const char *reaching = "the length of the chain",
                        *turns = "the force that turns a joint by a radian";
+  if (experiment.alone == Alone::turns) {
+    require("angle", noise.x, size.x, "a radian"), require("torque", noise.Fx, size.Fx, "that of a radian");
+    return;
+  }
   require("x", noise.x, size.x, reaching), require("y", noise.y, size.y, reaching);
   require("Fx", noise.Fx, size.Fx, turns), require("Fy", noise.Fy, size.Fy, turns);
   require("q", noise.q, size.q, "a radian");
@@ -158,10 +161,15 @@ std::size_t measured_values(const Run& run) {
 
 /// A channel with a noise is measured, and there must be one.
 void require_anything_measured(const Run& run, const Noise& noise) {
-  const bool force = noise.Fx > 0 || noise.Fy > 0, position = noise.x > 0 || noise.y > 0;
-  if (noise.q > 0 || (run.holds_end_point() ? force : position)) return;
+  std::vector<Channel> measured = run.answering();
+  if (run.alone == Alone::no) measured.push_back({Channel::Name::q});
+  std::string names;
+  for (const Channel& one : measured) {
+    if (one.sigma(noise) > 0) return;
+    names += (names.empty() ? "" : one == measured.back() ? " or " : ", ") + label(one.name);
+  }
   throw Error("noise", "no figure for anything that run \"" + run.id + "\" measures",
-              run.holds_end_point() ? "a positive one for Fx, Fy or q" : "a positive one for x, y or q");
+              "a positive one for " + names);
 }
 
 /// A rest angle of thousands of turns, also in degrees: its sine would be rounding.
@@ -186,7 +194,7 @@ void require_chain(const Experiment& experiment) {
   require_resolved(experiment, limits.largest);
   for (const Run& run : experiment.runs) {
     require_turns(run);
-    require_reach(experiment, run, limits);
+    if (experiment.alone == Alone::no) require_reach(experiment, run, limits);
   }
 }
 

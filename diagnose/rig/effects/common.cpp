@@ -30,7 +30,11 @@ std::vector<Effect> common_effects() {
        .possible = several_links},
       {.id = "rest_offset",
        .words = "all rest angles off by the same angle",
-       .parameters = [](const Place&) { return std::vector{both_ways("a", "rad", 0.03, -0.6, 0.6)}; },
+       .parameters =
+           [](const Place& at) {
+             const double w = at.scales.turn;
+             return std::vector{both_ways("a", "rad", 0.03 * w, -0.6 * w, 0.6 * w)};
+           },
        .add =
            [](const Addition& to) {
              for (double& error : to.rig.rest_error) error += to.value[0];

@@ -26,6 +26,10 @@ bool several_links(const Place& at) {
   return at.scales.link_length.size() > 1;
 }
 
+bool has_links(const Place& at) {
+  return at.scales.links;
+}
+
 std::string_view numbered(std::string_view stem, std::size_t index) {
   return kept(std::string(stem) + "_" + std::to_string(index + 1));
 }

@@ -33,7 +33,11 @@ std::vector<Effect> joint_effects() {
       {.id = "rest_angle",
        .words = "a wrong rest angle of joint {}",
        .at_joint = true,
-       .parameters = [](const Place&) { return std::vector{both_ways("a", "rad", 0.05, -0.6, 0.6)}; },
+       .parameters =
+           [](const Place& at) {
+             const double w = at.scales.turn;
+             return std::vector{both_ways("a", "rad", 0.05 * w, -0.6 * w, 0.6 * w)};
+           },
        .add = [](const Addition& to) { to.rig.rest_error[to.joint] += to.value[0]; },
        .possible = is_elastic},
       {.id = "nonlinear_spring",
@@ -46,7 +50,10 @@ std::vector<Effect> joint_effects() {
       {.id = "backlash",
        .words = "play in joint {}",
        .at_joint = true,
-       .parameters = [](const Place&) { return std::vector{one_way("b", "rad", 0.05, 0.6)}; },
+       .parameters =
+           [](const Place& at) {
+             return std::vector{one_way("b", "rad", 0.05 * at.scales.turn, 0.6 * at.scales.turn)};
+           },
        .add = [](const Addition& to) { to.rig.backlash[to.joint] += to.value[0]; },
        .possible = is_elastic,
        .initial_guesses =
@@ -76,7 +83,7 @@ std::vector<Effect> joint_effects() {
        .at_joint = true,
        .parameters =
            [](const Place& at) {
-             return std::vector{onset_angle("s"), stop_stiffness(at.scales.stiffness_at(at.joint))};
+             return std::vector{onset_angle("s", at.scales.turn), stop_stiffness(at.scales.stiffness_at(at.joint))};
            },
        .add =
            [](const Addition& to) {

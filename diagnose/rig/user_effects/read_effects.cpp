@@ -67,7 +67,7 @@ std::shared_ptr<const Formula> read_formula(const Section& section, const std::s
 
 StatedReading read_reading(const Section& section, const std::string& key, const StatedEffect& effect) {
   static const std::regex angle("q([1-9][0-9]{0,6})?");
-  static const std::vector<std::string> others{"x", "y", "Fx", "Fy"};
+  static const std::vector<std::string> others{"x", "y", "Fx", "Fy", "angle", "torque"};
   std::vector<std::string> variables(reading_variables.begin(), reading_variables.end());
   if (std::smatch found; std::regex_match(key, found, angle)) {
     const auto joint = found[1].matched ? std::optional(std::stoul(found[1]) - 1) : std::nullopt;
@@ -76,8 +76,9 @@ StatedReading read_reading(const Section& section, const std::string& key, const
   }
   const auto place = std::find(others.begin(), others.end(), key);
   if (place == others.end())
-    throw Error(section.place(key), "a reading of that name", "x, y, Fx, Fy, q or, of joint 2, q2");
-  constexpr Channel::Name names[]{Channel::Name::x, Channel::Name::y, Channel::Name::Fx, Channel::Name::Fy};
+    throw Error(section.place(key), "a reading of that name", "x, y, Fx, Fy, angle, torque, q or, of joint 2, q2");
+  using Name = Channel::Name;
+  constexpr Name names[]{Name::x, Name::y, Name::Fx, Name::Fy, Name::angle, Name::torque};
   return {names[place - others.begin()], std::nullopt, key, read_formula(section, key, variables, effect)};
 }
 
