@@ -76,14 +76,13 @@ std::string nominal_lines(const Experiment& experiment) {
                                   [&](const Origin& origin) { return origin.what == key; });
     return one == experiment.origins.end() || one->in_si == 1 ? std::string() : ", written in " + one->unit;
   };
-  std::string text =
-      experiment.alone == diagnose::Alone::no
-          ? fmt::format("  link_length      {:.6g} m{}\n", fmt::join(experiment.link_length, ", "),
-                        unit("link_length"))
-          : std::string("  a joint alone\n");
-  text += fmt::format("  joint_stiffness  {:.6g} {}{}\n", fmt::join(experiment.joint_stiffness, ", "),
-                      experiment.alone == diagnose::Alone::slides ? "N/m" : "N m/rad",
-                      unit("joint_stiffness"));
+  std::string text = experiment.alone == diagnose::Alone::no
+                         ? fmt::format("  link_length      {:.6g} m{}\n",
+                                       fmt::join(experiment.link_length, ", "), unit("link_length"))
+                         : std::string("  a joint alone\n");
+  text +=
+      fmt::format("  joint_stiffness  {:.6g} {}{}\n", fmt::join(experiment.joint_stiffness, ", "),
+                  experiment.alone == diagnose::Alone::slides ? "N/m" : "N m/rad", unit("joint_stiffness"));
   if (std::any_of(experiment.link_mass.begin(), experiment.link_mass.end(), [](double m) { return m > 0; }))
     text += fmt::format("  link_mass        {:.6g} kg{}\n", fmt::join(experiment.link_mass, ", "),
                         unit("link_mass"));
@@ -94,21 +93,21 @@ std::string what_was_read(const Experiment& experiment) {
   std::string text = experiment.name + "\n\nThe nominal chain\n" + nominal_lines(experiment) + "\nThe runs\n";
   for (const Run& run : experiment.runs) {
     text += fmt::format("  {}: {} imposed, {} readings{}\n", run.id,
-                        run.commands_joints()                  ? "the joints' commands are"
+                        run.commands_joints()              ? "the joints' commands are"
                         : run.alone != diagnose::Alone::no ? "the " + run.imposed().front().label() + " is"
-                        : run.holds_end_point()                ? "the end point is"
-                        : run.weights_inferred  ? "the force, assumed to be that of weights, is"
-                                                : "the force is",
+                        : run.holds_end_point()            ? "the end point is"
+                        : run.weights_inferred             ? "the force, assumed to be that of weights, is"
+                                                           : "the force is",
                         run.readings.size(), run.turns_back() ? ", there and back" : "");
     if (!run.commands_joints())
       text += fmt::format("    rest {:.4g} {}\n", fmt::join(run.rest, ", "),
                           run.alone == diagnose::Alone::slides ? "m" : "rad");
     for (std::size_t c = 0; c < run.origins.size(); ++c) {
       const std::string& what = run.origins[c].what;
-      const bool there = what.starts_with("q_command")          ? run.commands_joints()
-                         : what[0] == 'q'                       ? !run.readings.front().q.empty()
+      const bool there = what.starts_with("q_command")      ? run.commands_joints()
+                         : what[0] == 'q'                   ? !run.readings.front().q.empty()
                          : run.alone != diagnose::Alone::no ? what != "y" && what != "Fy"
-                                                                : true;
+                                                            : true;
       if (there) text += column_line(experiment, run, c);
     }
   }

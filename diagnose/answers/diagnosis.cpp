@@ -13,7 +13,8 @@ void require_reached(const Study& study) {
   if (study.nominal().reached) return;
   const std::vector<Run>& runs = study.experiment().runs;
   if (study.experiment().alone != Alone::no)
-    throw Error("experiment \"" + study.experiment().name + "\"", "readings that the nominal joint cannot follow",
+    throw Error("experiment \"" + study.experiment().name + "\"",
+                "readings that the nominal joint cannot follow",
                 "a stiffness under which the joint holds every load");
   if (study.experiment().link_length.size() == 1 &&
       std::any_of(runs.begin(), runs.end(), [](const Run& run) { return run.holds_end_point(); }))

@@ -15,7 +15,8 @@ using Name = Channel::Name;
 /// Where the end point is, or the joint that is alone.
 std::vector<Channel> place_channels(Alone alone) {
   if (alone == Alone::turns) return {{Name::angle}};
-  return alone == Alone::slides ? std::vector<Channel>{{Name::x}} : std::vector<Channel>{{Name::x}, {Name::y}};
+  return alone == Alone::slides ? std::vector<Channel>{{Name::x}}
+                                : std::vector<Channel>{{Name::x}, {Name::y}};
 }
 
 /// What loads it.

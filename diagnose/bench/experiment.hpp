@@ -74,7 +74,8 @@ struct Run {
   [[nodiscard]] std::vector<Channel> imposed() const;
   /// The channels that answer them.
   [[nodiscard]] std::vector<Channel> answering() const;
-  /// Values of the imposed channels at a reading: an end point, m, or a force, N; an angle or a torque, and 0.
+  /// Values of the imposed channels at a reading: an end point, m, or a force, N; an angle or a torque, and
+  /// 0.
   [[nodiscard]] Eigen::Vector2d imposed_at(const Reading& reading) const;
   /// Whether each reading has a command of its own to every joint, as servos get it.
   [[nodiscard]] bool commands_joints() const { return !readings.empty() && !readings.front().rest.empty(); }

@@ -26,8 +26,8 @@ struct NominalEffect {
   [[nodiscard]] std::string label() const { return joint > 0 ? id + "(" + std::to_string(joint) + ")" : id; }
 };
 
-/// A joint alone has no links: its angle and its torque are all there is of it, or the stroke and the force of
-/// one that slides.
+/// A joint alone has no links: its angle and its torque are all there is of it, or the stroke and the force
+/// of one that slides.
 enum class Alone { no, turns, slides };
 
 /// SI units, radians; lists are by link or joint. Of a joint alone the link counts as one of length 1, whose

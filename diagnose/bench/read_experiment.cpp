@@ -262,10 +262,9 @@ Experiment read_settings(const Section& root, const Source& source, const Nomina
   static_cast<NominalChain&>(experiment) = model ? nominal : in_si(nominal, units);
   experiment.origins = units.origins(model == nullptr);
   experiment.bench = read_bench(root, nominal.alone);
-  const Shared shared{
-      source, experiment,
-      read_sample_format(root, standard_format(experiment.link_length.size(), nominal.alone)), units.rest,
-      model ? "the model that is given" : "the nominal chain"};
+  const Shared shared{source, experiment,
+                      read_sample_format(root, standard_format(experiment.link_length.size(), nominal.alone)),
+                      units.rest, model ? "the model that is given" : "the nominal chain"};
   experiment.noise = read_noise(root.table("noise"), shared.format);
   experiment.runs = read_runs(root, shared);
   count_from_first_reading(experiment.runs);

@@ -26,7 +26,6 @@ const Quantity& of_joints(Alone alone) {
   return alone == Alone::slides ? quantity::length : quantity::angle;
 }
 
-
 char delimiter(const Section& csv) {
   const std::string expected = R"(",", ";", "|", "tab" or "blanks")", word = csv.text("delimiter", expected);
   if (word == "," || word == ";" || word == "|") return word[0];
@@ -193,7 +192,7 @@ bool has_channel(Alone alone, const std::string& key) {
 }
 
 void refuse_channel(const Section& section, Alone alone, const std::string& key) {
-  section.refuse(key, alone == Alone::no      ? "nothing: angle and torque are of a joint alone, nominal.joint"
+  section.refuse(key, alone == Alone::no ? "nothing: angle and torque are of a joint alone, nominal.joint"
                       : alone == Alone::turns ? "nothing: a joint that turns has an angle and a torque"
                                               : "nothing: a joint that slides has x and Fx");
 }

@@ -28,7 +28,8 @@ double farthest(const Experiment& experiment, std::size_t joint, Angle angle) {
   return most;
 }
 
-/// Joints that the nominal model leaves at rest, as a servo arm without its weight, are told by their measured angles.
+/// Joints that the nominal model leaves at rest, as a servo arm without its weight, are told by their
+/// measured angles.
 Excitation exercise_of(const Experiment& experiment, const Prediction& nominal) {
   Excitation use{std::vector<double>(experiment.link_length.size(), 0.0), 0, 0};
   for (std::size_t i = 0; i < use.deflection.size(); ++i) {

@@ -126,8 +126,7 @@ Command command_of_joint_alone(const Run& run) {
   for (const Reading& reading : run.readings) command.along.push_back(run.imposed_at(reading).x());
   const auto first = command.along.begin();
   const auto away = [&](double a, double b) { return std::abs(a - *first) < std::abs(b - *first); };
-  command.farthest =
-      static_cast<std::size_t>(std::max_element(first, command.along.end(), away) - first);
+  command.farthest = static_cast<std::size_t>(std::max_element(first, command.along.end(), away) - first);
   return command;
 }
 

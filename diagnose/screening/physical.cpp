@@ -114,7 +114,8 @@ void require_noise(const Run& run, const Noise& noise) {
     const bool read = std::any_of(run.readings.begin(), run.readings.end(),
                                   [&](const Reading& r) { return !std::isnan(channel.of(r)); });
     if (!read || channel.sigma(noise) > 0) continue;
-    throw Error("noise." + label(channel.name), "0, or nothing", "a positive figure: run \"" + run.id + "\" measures it");
+    throw Error("noise." + label(channel.name), "0, or nothing",
+                "a positive figure: run \"" + run.id + "\" measures it");
   }
 }
 

@@ -99,7 +99,7 @@ def experiments(folder):
         known = re.search(r"an unknown key, expected one of (.*)", fault)
         assert known and set(known[1].split()) == named, f"{heading}: the document names {named}; {fault}"
         for key in named:
-            without = changed(heading, lambda table, key=key: table.pop(key))
+            without = changed(heading, lambda table, key=key: table.pop(key, None))
             assert ("no such key" in experiment_fault(folder, without)) == (key in required), f"{heading} {key}"
             assert Draft202012Validator(schema).is_valid(without) == (key not in required), f"schema, {heading} {key}"
         node = {"Top level": schema, **{f"[{name}]": schema["$defs"][name] for name in ("csv", "columns")},
@@ -221,7 +221,7 @@ def user_effects(folder):
         known = re.search(r"expected one of (.*)", fault(changed_file(heading, lambda table: table.update(zz=1))))
         assert known and set(known[1].split()) == named, f"{heading}: the document names {named}; {known}"
         for key in required:
-            without = changed_file(heading, lambda table, key=key: table.pop(key))
+            without = changed_file(heading, lambda table, key=key: table.pop(key, None))
             assert f"{key}: found no" in fault(without), f"{heading} {key}: {fault(without)}"
             assert not validator.is_valid(without), f"schema, {heading} {key}"
     for block in blocks(USER_EFFECTS):

@@ -132,8 +132,7 @@ std::vector<Effect> common_effects() {
              const double scale = 1 / (at.scales.deflection * at.scales.deflection);
              // A joint with a third of the typical deflection needs nine times the c for the same softening.
              const ParameterRange alike = hardening(at.scales);
-             return each(at,
-                         {"c", "1/rad²", priors::hardening_tolerance * scale, 9 * alike.low, alike.high});
+             return each(at, {"c", "1/rad²", priors::hardening_tolerance * scale, 9 * alike.low, alike.high});
            },
        .add =
            [](const Addition& to) {

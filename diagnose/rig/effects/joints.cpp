@@ -83,7 +83,8 @@ std::vector<Effect> joint_effects() {
        .at_joint = true,
        .parameters =
            [](const Place& at) {
-             return std::vector{onset_angle("s", at.scales.turn), stop_stiffness(at.scales.stiffness_at(at.joint))};
+             return std::vector{onset_angle("s", at.scales.turn),
+                                stop_stiffness(at.scales.stiffness_at(at.joint))};
            },
        .add =
            [](const Addition& to) {

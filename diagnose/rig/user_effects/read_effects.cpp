@@ -76,7 +76,8 @@ StatedReading read_reading(const Section& section, const std::string& key, const
   }
   const auto place = std::find(others.begin(), others.end(), key);
   if (place == others.end())
-    throw Error(section.place(key), "a reading of that name", "x, y, Fx, Fy, angle, torque, q or, of joint 2, q2");
+    throw Error(section.place(key), "a reading of that name",
+                "x, y, Fx, Fy, angle, torque, q or, of joint 2, q2");
   using Name = Channel::Name;
   constexpr Name names[]{Name::x, Name::y, Name::Fx, Name::Fy, Name::angle, Name::torque};
   return {names[place - others.begin()], std::nullopt, key, read_formula(section, key, variables, effect)};
