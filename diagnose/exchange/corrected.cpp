@@ -153,6 +153,8 @@ Writer writer(Format format) {
 }  // namespace
 
 Written written(const Model& model, Format format) {
+  if (model.experiment.alone != diagnose::Alone::no && format != Format::toml)
+    throw Error("corrected model", "a joint alone, and a format of bodies", "a file that ends in .toml");
   const bool from_such = !model.source.empty() && format_of(model.source) == format;
   const Writer edit = from_such ? editor(format) : nullptr;
   if (edit == nullptr) return writer(format)(model);
