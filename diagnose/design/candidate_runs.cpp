@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "diagnose/design/commanded_runs.hpp"
 #include "diagnose/rig/nominal.hpp"
 
 namespace plumbline::diagnose {
@@ -36,13 +37,34 @@ const std::vector<Direction>& directions(Alone alone) {
   return all;
 }
 
-double largest_deflection(const Trace& trace, const std::vector<double>& rest) {
+/// Of a joint from its command, predicted or measured.
+/// \param angle  of a reading and joint, by their numbers
+template <class Angle>
+double largest_deflection(const Run& run, Angle angle) {
   double largest = 0;
-  for (std::size_t i = 0; i < rest.size(); ++i) {
-    const auto q = trace.col(column_q + static_cast<Eigen::Index>(i));
-    largest = std::max(largest, (q - rest[i]).abs().maxCoeff());
+  for (std::size_t r = 0; r < run.readings.size(); ++r) {
+    const std::vector<double>& rest = run.rest_at(run.readings[r]);
+    for (std::size_t i = 0; i < rest.size(); ++i)
+      if (const double turn = std::abs(angle(r, i) - rest[i]); std::isfinite(turn))
+        largest = std::max(largest, turn);
   }
   return largest;
+}
+
+double largest_deflection(const Trace& trace, const Run& run) {
+  return largest_deflection(run, [&](std::size_t reading, std::size_t joint) {
+    return trace(static_cast<Eigen::Index>(reading), column_q + static_cast<Eigen::Index>(joint));
+  });
+}
+
+/// How far from their commands joints were read; 0 where they are not commanded: their chain may have play.
+double reached(const Run& run) {
+  if (!run.commands_joints()) return 0;
+  return largest_deflection(run, [&](std::size_t reading, std::size_t joint) {
+    const Reading& one = run.readings[reading];
+    if (run.alone != Alone::no) return one.x;
+    return one.q.empty() ? not_measured : one.q[joint];
+  });
 }
 
 double largest_force(const Trace& trace) {
@@ -76,7 +98,7 @@ bool follows(const Experiment& experiment, const Run& run, const OperatingEnvelo
   Experiment bench = experiment;
   bench.runs = {run};
   const Prediction nominal = simulate(bench, nominal_rig(bench), {});
-  return nominal.reached && !nominal.snapped && so_far.allows(nominal.runs[0], run.rest);
+  return nominal.reached && !nominal.snapped && so_far.allows(nominal.runs[0], run);
 }
 
 /// The two longest distances along a direction, in a ratio of 3/2, that the nominal chain can follow.
@@ -109,9 +131,10 @@ std::vector<CandidateRun> presses(const Experiment& experiment, const Shape& sha
   return all;
 }
 
-/// The largest load along a direction that deflects the nominal chain no more than is wanted.
-std::optional<Vector2> bearable(const Experiment& experiment, const Shape& shape, const Vector2& along,
-                                const OperatingEnvelope& so_far) {
+}  // namespace
+
+std::optional<Vector2> bearable_load(const Experiment& experiment, const Shape& shape, const Vector2& along,
+                                     const OperatingEnvelope& so_far) {
   constexpr double usual_deflection = 0.33;  // rad
   const double wanted = so_far.deflection > 0 ? so_far.deflection : usual_deflection;
   const double shortest = *std::min_element(experiment.link_length.begin(), experiment.link_length.end());
@@ -122,17 +145,19 @@ std::optional<Vector2> bearable(const Experiment& experiment, const Shape& shape
     Experiment bench = experiment;
     bench.runs = {gone(shape, {0, 0}, force * along, true, so_far.sampling_interval)};
     const Prediction nominal = simulate(bench, nominal_rig(bench), {});
-    if (nominal.reached && !nominal.snapped && largest_deflection(nominal.runs[0], shape.rest) <= wanted)
+    if (nominal.reached && !nominal.snapped && largest_deflection(nominal.runs[0], bench.runs[0]) <= wanted)
       return force * along;
   }
   return std::nullopt;
 }
 
+namespace {
+
 std::vector<CandidateRun> loads(const Experiment& experiment, const Shape& shape,
                                 const OperatingEnvelope& so_far) {
   std::vector<CandidateRun> all;
   for (const Direction& one : directions(shape.alone)) {
-    const std::optional<Vector2> load = bearable(experiment, shape, one.along, so_far);
+    const std::optional<Vector2> load = bearable_load(experiment, shape, one.along, so_far);
     if (!load) continue;
     for (const bool back : {false, true})
       all.push_back({fmt::format("load with {:.3g} {} {} from {}{}", load->norm(),
@@ -149,9 +174,9 @@ bool OperatingEnvelope::is_limit() const {
   return force > 0 || deflection > 0;
 }
 
-bool OperatingEnvelope::allows(const Trace& trace, const std::vector<double>& rest) const {
+bool OperatingEnvelope::allows(const Trace& trace, const Run& run) const {
   return (force == 0 || largest_force(trace) <= 2 * force) &&
-         (deflection == 0 || largest_deflection(trace, rest) <= 1.5 * deflection);
+         (deflection == 0 || largest_deflection(trace, run) <= 1.5 * deflection);
 }
 
 OperatingEnvelope operating_envelope(const Study& study) {
@@ -165,9 +190,8 @@ OperatingEnvelope operating_envelope(const Study& study) {
     if (run.readings.empty()) continue;
     const Vector2 start = unloaded_end(experiment, run.rest);
     so_far.force = std::max(so_far.force, largest_force(trace));
+    so_far.deflection = std::max({so_far.deflection, largest_deflection(trace, run), reached(run)});
     for (Eigen::Index i = 0; i < trace.rows(); ++i) {
-      const std::vector<double>& rest = run.rest_at(run.readings[static_cast<std::size_t>(i)]);
-      so_far.deflection = std::max(so_far.deflection, largest_deflection(trace.middleRows(i, 1), rest));
       const double way = (Vector2(trace(i, column_x), trace(i, column_y)) - start).norm();
       if (run.holds_end_point()) so_far.travel = std::max(so_far.travel, way);
     }
@@ -191,7 +215,8 @@ std::vector<Shape> shapes(const Experiment& experiment, std::size_t most) {
     if (!known && all.size() < most) all.push_back(std::move(one));
   };
   std::vector<const Run*> runs;
-  for (const Run& run : experiment.runs) runs.push_back(&run);
+  for (const Run& run : experiment.runs)
+    if (!run.commands_joints()) runs.push_back(&run);
   std::sort(runs.begin(), runs.end(), [](const Run* a, const Run* b) { return a->id < b->id; });
   const bool alone = experiment.alone != Alone::no;
   for (const Run* run : runs)
@@ -205,6 +230,14 @@ std::vector<CandidateRun> runs_from(const Experiment& experiment, const Shape& s
                                     const OperatingEnvelope& so_far) {
   return shape.control == Control::end_point ? presses(experiment, shape, so_far)
                                              : loads(experiment, shape, so_far);
+}
+
+std::vector<CandidateRun> candidate_runs(const Experiment& experiment, std::size_t most_shapes,
+                                         const OperatingEnvelope& so_far) {
+  std::vector<CandidateRun> all = commanded_runs(experiment, so_far);
+  for (const Shape& shape : shapes(experiment, most_shapes))
+    for (CandidateRun& one : runs_from(experiment, shape, so_far)) all.push_back(std::move(one));
+  return all;
 }
 
 }  // namespace plumbline::diagnose

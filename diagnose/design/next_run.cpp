@@ -38,7 +38,7 @@ std::optional<std::vector<Prediction>> predictions(const Study& bench,
   for (const Hypothesis& hypothesis : hypotheses) {
     all.push_back(predict(bench, hypothesis.candidate, hypothesis.parameters, true));
     const Prediction& one = all.back();
-    if (!one.reached || one.snapped || !so_far.allows(one.runs[0], bench.experiment().runs[0].rest))
+    if (!one.reached || one.snapped || !so_far.allows(one.runs[0], bench.experiment().runs[0]))
       return std::nullopt;
   }
   return all;
@@ -128,8 +128,10 @@ class Planner {
         expected_log_odds(hypotheses_.size(), [&](std::size_t a, std::size_t b) { return known(a, b); });
   }
 
-  void add_runs_from(const Shape& shape) {
-    for (const CandidateRun& one : runs_from(experiment_, shape, so_far_)) add(one.description, one.run);
+  void add_candidates() {
+    constexpr std::size_t most_shapes = 12;
+    for (const CandidateRun& one : candidate_runs(experiment_, most_shapes, so_far_))
+      add(one.description, one.run);
   }
 
   [[nodiscard]] std::vector<Proposal> best(std::size_t count, Aim aim) {
@@ -208,9 +210,8 @@ class Planner {
 
 std::vector<Proposal> next_runs(const Study& study, const std::vector<Hypothesis>& hypotheses,
                                 const NoiseEstimate& noise, std::size_t count, Aim aim) {
-  constexpr std::size_t most_shapes = 12;
   Planner planner(study, hypotheses, noise);
-  for (const Shape& shape : shapes(study.experiment(), most_shapes)) planner.add_runs_from(shape);
+  planner.add_candidates();
   return planner.best(count, aim);
 }
 
