@@ -34,7 +34,9 @@ class Finder {
 
   [[nodiscard]] std::optional<std::size_t> place(std::size_t c) const {
     const Column& column = format_.columns[c];
-    if (column.constant || (c >= format_.place_command1() && !format_.commanded)) return {};
+    const bool command = c >= format_.place_command1(), angle = c >= place_q1 && !command;
+    if (column.constant || (command && !format_.commanded) || (angle && format_.alone != Alone::no))
+      return {};
     if (column.number > 0) return numbered(column.number, column.place);
     if (!format_.header && !format_.any_order) return numbered(c + 1, "");  // in the standard order
     return named(column);

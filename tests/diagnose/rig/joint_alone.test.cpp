@@ -155,6 +155,15 @@ TEST_CASE("at a joint that slides every unit of turning is one of sliding") {
     }
 }
 
+TEST_CASE("noise of the imposed channel reaches the measured one through the spring") {
+  Experiment held = joint_alone(Control::end_point, 10, 0.4);
+  for (Reading& one : held.runs[0].readings) one.Fx = 10 * (one.x - 0.05);
+  CHECK(Study(held).measurements().series()[0].sigma == doctest::Approx(std::hypot(1e-3, 10 * 1e-4)));
+  Experiment loaded = joint_alone(Control::force, 10, 0.4);
+  for (Reading& one : loaded.runs[0].readings) one.x = 0.05 + one.Fx / 10;
+  CHECK(Study(loaded).measurements().series()[0].sigma == doctest::Approx(std::hypot(1e-4, 1e-3 / 10)));
+}
+
 TEST_CASE("ranges of angles follow joints that hardly turn") {
   // The torque of 0.3 mrad turns by 0.09 mrad, which counts as 0.1 mrad: a hundredth of 0.01 rad.
   Experiment read = joint_alone(Control::end_point, 2.2, 3e-4);
