@@ -184,7 +184,7 @@ bool read_beginning(const Section& section, const Run& run) {
   const std::string expected = "\"relaxed\" or \"moving\"";
   const std::string word = section.text("begins", expected);
   if (word != "relaxed" && word != "moving") section.refuse("begins", expected);
-  if (word == "moving" && run.holds_end_point())
+  if (word == "moving" && run.holds_end_point() && run.alone == Alone::no)
     section.refuse("begins", "nothing, or \"relaxed\", where the end point is put");
   return word == "moving";
 }

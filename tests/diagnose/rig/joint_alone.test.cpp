@@ -100,6 +100,16 @@ TEST_CASE("dry friction makes a loop of twice its torque") {
   }
 }
 
+TEST_CASE("a loop that begins on the way has slipped before its first reading") {
+  Experiment experiment = joint_alone(Control::end_point, 10, 0.4);
+  experiment.runs[0].begins_moving = true;
+  Rig rig = nominal_rig(experiment);
+  rig.friction = {0.3};
+  const Prediction predicted = simulate(experiment, rig, {});
+  REQUIRE(predicted.reached);
+  CHECK(read(predicted, 0, Name::torque) == doctest::Approx(0.3).epsilon(1e-6));
+}
+
 TEST_CASE("an imposed angle is followed past the largest torque") {
   const Experiment experiment = joint_alone(Control::end_point, 10, 0.5);
   Rig rig = nominal_rig(experiment);
