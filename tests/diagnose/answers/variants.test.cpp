@@ -233,7 +233,7 @@ Experiment flexure(Dice& dice) {
 }
 
 /// Whether a cause of exactly these effects is among those named.
-bool names(const Diagnosis& diagnosis, std::vector<std::string> effects) {
+bool causes_hold(const Diagnosis& diagnosis, std::vector<std::string> effects) {
   std::sort(effects.begin(), effects.end());
   for (std::size_t i = 0; i < diagnosis.cause.named; ++i) {
     std::vector<std::string> own;
@@ -271,7 +271,7 @@ TEST_CASE("ten variants of each kind of bench" * doctest::test_suite("long")) {
     for (unsigned seed = 1; seed <= 10; ++seed) {
       Dice dice(seed);
       const Diagnosis diagnosis = diagnose::diagnose(Study(kind.make(dice)));
-      const bool named = names(diagnosis, kind.effects);
+      const bool named = causes_hold(diagnosis, kind.effects);
       right += named;
       if (!named)
         MESSAGE(std::string(kind.name), ", seed ", seed, ": ",

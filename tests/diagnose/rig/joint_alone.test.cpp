@@ -18,7 +18,7 @@ using namespace plumbline::diagnose::test;
 namespace {
 
 // Newton stops with steps below 1e-7 rad, which leaves errors of their square.
-constexpr double up_to_rounding = 1e-9;
+constexpr double nearly = 1e-9;
 
 /// Angles or torques there, back, and to the other side.
 Experiment joint_alone(Control control, double stiffness, double most) {
@@ -47,11 +47,11 @@ Experiment joint_alone(Control control, double stiffness, double most) {
   return experiment;
 }
 
-double read(const Prediction& predicted, Eigen::Index reading, Channel::Name name) {
+double shown(const Prediction& predicted, Eigen::Index reading, Channel::Name name) {
   return predicted.runs[0](reading, column_of({name}));
 }
 
-using Name = Channel::Name;
+using ChannelName = Channel::Name;
 
 }  // namespace
 
@@ -62,8 +62,8 @@ TEST_CASE("the torque of a spring is its stiffness times the deflection, of any 
     REQUIRE(predicted.reached);
     CHECK_FALSE(predicted.snapped);
     for (Eigen::Index i = 0; i <= 40; ++i)
-      CHECK(std::abs(read(predicted, i, Name::torque) - 7 * (read(predicted, i, Name::angle) - 0.05)) <
-            7 * up_to_rounding);
+      CHECK(std::abs(shown(predicted, i, ChannelName::torque) -
+                     7 * (shown(predicted, i, ChannelName::angle) - 0.05)) < 7 * nearly);
   }
 }
 
@@ -78,13 +78,13 @@ TEST_CASE("an imposed torque gives the angle at which it is measured") {
     RC_ASSERT(torque.reached);
     Experiment loaded = joint_alone(Control::force, k, 0);
     for (std::size_t i = 0; i < 41; ++i)
-      loaded.runs[0].readings[i].Fx = read(torque, static_cast<Eigen::Index>(i), Name::torque);
+      loaded.runs[0].readings[i].Fx = shown(torque, static_cast<Eigen::Index>(i), ChannelName::torque);
     const Prediction angle = simulate(loaded, rig, {});
     RC_ASSERT(angle.reached);
     // Friction that sticks gives by 1e-5 of its deflection at the slip torque, 0.02 share; where the angle
     // turns back, the torque falls by twice the friction, and the angle stays within that.
     for (Eigen::Index i = 0; i <= 40; ++i)
-      RC_ASSERT(std::abs(read(angle, i, Name::angle) - read(torque, i, Name::angle)) < 1e-5);
+      RC_ASSERT(std::abs(shown(angle, i, ChannelName::angle) - shown(torque, i, ChannelName::angle)) < 1e-5);
   });
 }
 
@@ -95,8 +95,9 @@ TEST_CASE("dry friction makes a loop of twice its torque") {
   const Prediction predicted = simulate(experiment, rig, {});
   REQUIRE(predicted.reached);
   for (const Eigen::Index i : {5, 15, 25, 35}) {
-    const double spring = 10 * (read(predicted, i, Name::angle) - 0.05), way = i < 10 || i > 30 ? 1 : -1;
-    CHECK(read(predicted, i, Name::torque) == doctest::Approx(spring + way * 0.3).epsilon(1e-6));
+    const double spring = 10 * (shown(predicted, i, ChannelName::angle) - 0.05),
+                 way = i < 10 || i > 30 ? 1 : -1;
+    CHECK(shown(predicted, i, ChannelName::torque) == doctest::Approx(spring + way * 0.3).epsilon(1e-6));
   }
 }
 
@@ -107,7 +108,7 @@ TEST_CASE("a loop that begins on the way has slipped before its first reading") 
   rig.friction = {0.3};
   const Prediction predicted = simulate(experiment, rig, {});
   REQUIRE(predicted.reached);
-  CHECK(read(predicted, 0, Name::torque) == doctest::Approx(0.3).epsilon(1e-6));
+  CHECK(shown(predicted, 0, ChannelName::torque) == doctest::Approx(0.3).epsilon(1e-6));
 }
 
 TEST_CASE("an imposed angle is followed past the largest torque") {
@@ -116,7 +117,7 @@ TEST_CASE("an imposed angle is followed past the largest torque") {
   rig.hardening = {-3};  // k d (1 - 3 d^2) is largest at d = 1/3
   const Prediction predicted = simulate(experiment, rig, {});
   REQUIRE(predicted.reached);
-  CHECK(read(predicted, 10, Name::torque) == doctest::Approx(10 * 0.5 * (1 - 0.75)).epsilon(1e-9));
+  CHECK(shown(predicted, 10, ChannelName::torque) == doctest::Approx(10 * 0.5 * (1 - 0.75)).epsilon(1e-9));
 }
 
 TEST_CASE("sensitivities are those of two rigs, and the load sensor's are exact") {
@@ -126,8 +127,8 @@ TEST_CASE("sensitivities are those of two rigs, and the load sensor's are exact"
   const Prediction predicted = predict(study, all, {0.1, 0.2, 0.3}, true);
   REQUIRE(predicted.reached);
   for (Eigen::Index i = 0; i <= 40; ++i) {
-    const double spring = 10 * (read(predicted, i, Name::angle) - 0.05);
-    CHECK(read(predicted, i, Name::torque) == doctest::Approx(1.2 * 1.3 * spring + 0.1).scale(1));
+    const double spring = 10 * (shown(predicted, i, ChannelName::angle) - 0.05);
+    CHECK(shown(predicted, i, ChannelName::torque) == doctest::Approx(1.2 * 1.3 * spring + 0.1).scale(1));
     CHECK(predicted.sensitivity[0][0](i, column_Fx) == doctest::Approx(1));
     CHECK(predicted.sensitivity[1][0](i, column_Fx) == doctest::Approx(1.3 * spring).scale(1));
     CHECK(predicted.sensitivity[2][0](i, column_Fx) == doctest::Approx(1.2 * spring).scale(1));
