@@ -3,8 +3,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from causes import INSIDE, OUTSIDE, STATIC, TURNING
-from experiment import clean_readings, draw_bench, strength, with_noise
+from causes import INSIDE, LOADED, OUTSIDE, PULLED, STATIC, TURNING
+from experiment import clean_readings, draw_bench, held_out, strength, with_noise
 from shapes import SHAPES
 from truth import Truth
 
@@ -35,6 +35,8 @@ class Drawn:
     noise: str
     noise_scale: float
     family: str
+    later: object = None  # other poses of the same bench, without noise, and what the points then do
+    later_readings: list = None
 
 
 def truth_with(shape, planted):
@@ -72,28 +74,30 @@ def draw_causes(family, random):
     return [INSIDE[i] for i in chosen]
 
 
-def design_of(wanted):
-    """The most special one; nothing where two causes want different ones."""
-    special = {c.design for c in wanted} - {STATIC}
-    return None if len(special) > 1 else (special.pop() if special else STATIC)
+def needs_of(wanted, random):
+    """What the bench must have; nothing where no bench has it all."""
+    needs = {c.design for c in wanted} - {STATIC}
+    if TURNING in needs and needs & {PULLED, LOADED}:
+        return None
+    return needs or ({PULLED} if random.uniform() < 0.25 else needs)
 
 
 def attempt(shape, family, random):
     wanted = draw_causes(family, random)
-    design = design_of(wanted)
+    needs = needs_of(wanted, random)
     places = [draw_place(c, shape, random) for c in wanted]
-    if design is None or None in places:
+    if needs is None or None in places:
         return None
-    if design == STATIC:
-        design = str(random.choice(["static", "static", "static", "pulled"]))
-    bench = draw_bench(shape, design, random)
+    bench = draw_bench(shape, needs, random)
     nominal = clean_readings(bench, Truth(shape.size))
     planted = [scaled(bench, nominal, c, p, random) for c, p in zip(wanted, places)]
     if None in planted:
         return None
     readings = clean_readings(bench, truth_with(shape, planted))
     noisy, kind, scale = with_noise(bench, readings, random)
-    return Drawn(bench, noisy, planted, strength(bench, readings, nominal), kind, scale, family)
+    later = held_out(bench, random)
+    return Drawn(bench, noisy, planted, strength(bench, readings, nominal), kind, scale, family, later,
+                 clean_readings(later, truth_with(shape, planted), after=True))
 
 
 def draw(number, seed):

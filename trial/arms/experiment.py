@@ -51,37 +51,45 @@ def weights(shape, kilograms, count):
     return np.tile([0.0, 0.0, -GRAVITY * kilograms], (count, 1))
 
 
-def draw_runs(shape, design, random):
+def draw_runs(shape, needs, random):
+    """Runs of a design: there and back, pulled by a load cell, with weights, or without any load."""
     load = round(random.uniform(0.4, 1.0) * shape.payload, 2)
-    if design == causes.TURNING:
+    if causes.TURNING in needs:
         n = int(random.integers(20, 33))
         there = draw_poses(shape, n, random)
         return [Run("there", there, weights(shape, 0, n)), Run("back", there[::-1], weights(shape, 0, n))]
-    if design == causes.PULLED:
+    if causes.PULLED in needs:
         n = int(random.integers(40, 121))
         pull = random.normal(size=(n, 3))
         pull *= (random.uniform(0.1, 1, n) * GRAVITY * load / np.linalg.norm(pull, axis=1))[:, None]
         return [Run("pulled", draw_poses(shape, n, random), np.round(pull, 2))]
     n = int(random.integers(20, 76))
     poses = draw_poses(shape, n, random)
-    if random.uniform() < 0.25:
+    if causes.LOADED not in needs and random.uniform() < 0.25:
         return [Run("unloaded", np.vstack([poses, draw_poses(shape, n, random)]), weights(shape, 0, 2 * n))]
     return [Run("unloaded", poses, weights(shape, 0, n)), Run("loaded", poses, weights(shape, load, n))]
 
 
-def draw_bench(shape, design, random):
+def draw_bench(shape, needs, random):
     spread = 0.1 * shape.length
     points = tuple(map(tuple, np.round(random.normal(size=(2, 3)) * spread / 2, 4))) if random.uniform() < 0.25 else ()
-    angles = shape.encoder > 0 and random.uniform() < 0.7
-    return Bench(shape, draw_runs(shape, design, random), points, angles, design == causes.PULLED)
+    angles = causes.READ in needs or (shape.encoder > 0 and random.uniform() < 0.7)
+    return Bench(shape, draw_runs(shape, needs, random), points, angles, causes.PULLED in needs)
+
+
+def held_out(bench, random):
+    """The same bench with poses that the experiment does not have, loaded as its readings are."""
+    n = 30
+    forces = np.vstack([run.forces for run in bench.runs])
+    run = Run("held_out", draw_poses(bench.shape, n, random), forces[random.integers(len(forces), size=n)])
+    return Bench(bench.shape, [run], bench.points, bench.angles, bench.by_cell, bench.sigma)
 
 
 def true_forces(bench, truth, run):
     """A load cell with errors reads what the table says; the arm feels what it is."""
     if not bench.by_cell:
         return run.forces
-    talk = np.eye(3) * (1 + truth.force_gain) + truth.force_talk
-    return np.linalg.solve(talk, (run.forces - truth.force_bias).T).T
+    return (run.forces - truth.force_bias) / (1 + truth.force_gain)
 
 
 def equilibria(arm, truth, run, forces, shares):
@@ -95,13 +103,16 @@ def equilibria(arm, truth, run, forces, shares):
     return turned, found
 
 
-def clean_readings(bench, truth):
-    """By run: places of the points in the tracker's frame (reading, point, 3) and reached joint coordinates (reading, joint)."""
+def clean_readings(bench, truth, after=False):
+    """By run: places of the points in the tracker's frame (reading, point, 3) and reached joint coordinates (reading, joint).
+
+    What changes in the course of the session has all changed where the readings come `after` it.
+    """
     arm, shape = TrueArm(bench.shape, truth), bench.shape
     total = sum(len(run.commands) for run in bench.runs)
     done, result = 0, []
     for run in bench.runs:
-        shares = (done + np.arange(len(run.commands))) / max(1, total - 1)
+        shares = np.ones(len(run.commands)) if after else (done + np.arange(len(run.commands))) / max(1, total - 1)
         turned, found = equilibria(arm, truth, run, true_forces(bench, truth, run), shares)
         places, reached = [], []
         for c, t, q, share in zip(run.commands, turned, found, shares):
@@ -109,7 +120,7 @@ def clean_readings(bench, truth):
             place, axes = arm.tip_pose(q)
             seen = [place + axes @ np.array(offset) for offset in ((0.0, 0.0, 0.0), *bench.points)]
             places.append([tracked(truth, p, share) for p in seen])
-            reached.append(c + q[arm.dof] - t)
+            reached.append((1 + truth.angle_scale) * (c + q[arm.dof] - t) + truth.angle_bias)
         done += len(run.commands)
         result.append((np.array(places), np.array(reached)))
     return result

@@ -3,8 +3,8 @@
 
     generate.py OUT --seed S --count N
 
-writes OUT/arms-S/NAME/ (the experiment), OUT/arms-S/seals.json and, apart from them, OUT/arms-S-labels/NAME.json. A label is opened by
-moving that folder to OUT/arms-S/labels; then `plumbline trial --experiments OUT/arms-S` scores.
+writes OUT/arms-S/NAME/ (the experiment), OUT/arms-S/seals.json and, apart from them, OUT/arms-S-labels/NAME.json and held-out/NAME/ (the
+same arm at other poses, without noise). Moved to OUT/arms-S/labels, labels are opened: `plumbline trial --experiments OUT/arms-S` scores.
 """
 import argparse
 import hashlib
@@ -25,7 +25,8 @@ def make(job):
     out, labels, seed, number = job
     name = f"{SHAPES[number % len(SHAPES)].name}-{number:03d}"
     drawn = draw(number, seed)
-    write_experiment(out / name, name, drawn)
+    write_experiment(out / name, name, drawn.bench, drawn.readings)
+    write_experiment(labels / "held-out" / name, name, drawn.later, drawn.later_readings)
     envelope = {"salt": sha256(f"{seed}\n{name}")[:32], "label": label(name, drawn)}
     (labels / f"{name}.json").write_text(json.dumps(envelope, indent=1) + "\n")
     return name, sha256(envelope["salt"] + "\n" + envelope["label"])

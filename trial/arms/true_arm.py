@@ -3,13 +3,14 @@ import mujoco
 import numpy as np
 
 from model_files import inertia, quaternion, rotation, rotation_about, text
+from truth import Truth
 
 MOVE, HOLD, STEP = 2.0, 1.0, 0.004  # s: of a motion between two poses, of the rest after it, of a time step
 HEAVY = 5e-4  # s^2: inertia over stiffness of what rubs, so that MuJoCo's soft friction sticks
 RIGID = f'solimpfriction="0.9999 0.9999 0.001" solreffriction="{2 * STEP} 1"'
 LOOSE_TOOL = 0.3  # kg: the tool behind a loose flange
 STOP = 3000.0  # N m/rad: a flange that has tipped as far as it can
-SLOW = 1e-9  # of a joint at rest, in units of its stiffness
+AT_REST = 1e-9  # rad or m: a smaller step is none
 
 
 def fine_joint(name, kind, axis, stiffness):
@@ -36,7 +37,15 @@ class TrueArm:
         self.tip = self.model.site("tip").id
         self.flange = self.model.joint("flange").dofadr[0] if truth.loose_flange > 0 else None
         self.places = self.model.body_pos.copy()
-        self.base_quat = self.model.body("base").quat.copy()
+        self.springs = self.stiffnesses()
+        self.plain = TrueArm(shape, Truth(shape.size)) if truth.compensated else None
+
+    def stiffnesses(self):
+        """By degree of freedom, of springs and servos."""
+        stiffness = self.model.jnt_stiffness[self.model.dof_jntid].copy()
+        stiffness[self.dof] = self.model.actuator_gainprm[:, 0]
+        stiffness[stiffness == 0] = 1.0
+        return stiffness
 
     # the document
 
@@ -90,12 +99,12 @@ class TrueArm:
         return [(name, element[4]) for name, element in held if element and element[3] == i]
 
     def bent(self, i):
-        """A link that bends as a cantilever of rigidity EI: a hinge of L/EI in its middle, a slide of L^3/(12 EI)."""
+        """A link that bends as a cantilever tube of rigidity EI: hinges of L/EI in its middle, slides of L^3/(12 EI), a twist of 1.3 L/EI."""
         if i not in self.truth.bending:
             return []
         reach = np.array(self.shape.links[i + 1].place if i + 1 < self.shape.size else self.shape.tip)
         length, rigidity = np.linalg.norm(reach), self.truth.bending[i]
-        joints = []
+        joints = [fine_joint(f"twist_{i}", "hinge", reach / length, rigidity / length / 1.3)]
         for a, axis in enumerate(across(reach / length)):
             joints += [fine_joint(f"bend_{i}_{a}", "hinge", axis, rigidity / length),
                        fine_joint(f"sag_{i}_{a}", "slide", axis, 12 * rigidity / length**3)]
@@ -151,10 +160,19 @@ class TrueArm:
         if truth.floor:
             height, stiffness = truth.floor
             force = force + np.array([0, 0, stiffness * max(0.0, height - tip[2])])
-        mujoco.mj_applyFT(model, data, force, np.zeros(3), tip, model.site_bodyid[self.tip], data.qfrc_applied)
+        acts = tip + data.site_xmat[self.tip].reshape(3, 3) @ truth.load_offset
+        mujoco.mj_applyFT(model, data, force, np.zeros(3), acts, model.site_bodyid[self.tip], data.qfrc_applied)
+        if truth.compensated:
+            data.qfrc_applied[self.dof] += truth.compensated * self.plain.weight(turned)
         d = data.qpos[self.dof] - turned
         k = self.shape.stiffness * (1 + truth.softer)
         data.qfrc_applied[self.dof] -= k * truth.hardening * d**3
+
+    def weight(self, q):
+        """Torques of gravity that the joints have to hold."""
+        self.data.qpos[:], self.data.qvel[:] = q, 0
+        mujoco.mj_forward(self.model, self.data)
+        return self.data.qfrc_bias[self.dof].copy()
 
     def unbalanced(self, q, turned, force):
         """Generalised forces that are out of balance at rest, constraints included."""
@@ -166,14 +184,6 @@ class TrueArm:
         mujoco.mj_mulM(model, data, out, data.qacc)
         return out
 
-    def scale(self):
-        """Stiffness by degree of freedom, for residuals and steps."""
-        scale = np.full(self.model.nv, np.max(self.model.jnt_stiffness, initial=1.0))
-        own = self.model.jnt_stiffness[self.model.dof_jntid]
-        scale[own > 0] = own[own > 0]
-        scale[self.dof] = self.shape.stiffness
-        return scale
-
     def rest(self, turned, force):
         """The equilibrium without memory. Play lies at the side to which the load pushes it."""
         play = self.truth.play
@@ -183,7 +193,7 @@ class TrueArm:
             shifted = turned + np.array([play.get(i, 0.0) * side.get(i, 0.0) for i in range(self.shape.size)])
             if self.flange is not None:
                 self.model.qpos_spring[self.flange] = flange * self.truth.loose_flange
-            q = self.newton(shifted, force)
+            q = self.balance(shifted, force)
             yielded = q[self.dof] - shifted
             now = {i: np.sign(yielded[i]) for i in play}
             tipped = np.sign(q[self.flange] - self.model.qpos_spring[self.flange]) if self.flange is not None else 0.0
@@ -192,27 +202,37 @@ class TrueArm:
             side, flange = now, tipped
         raise ArithmeticError("a play that no load pushes to a side")
 
-    def newton(self, turned, force):
-        """Newton's method on MuJoCo's forces, with shorter steps where an element is slack."""
-        model, scale = self.model, self.scale()
-        q = np.zeros(model.nv)
+    def balance(self, turned, force):
+        """Joint positions at which nothing is out of balance: springs yield to loads that hardly change; else Newton's method."""
+        q = np.zeros(self.model.nv)
         q[self.dof] = turned
+        last = np.inf
+        for _ in range(12):
+            step = self.unbalanced(q, turned, force) / self.springs
+            size = np.abs(step).max()
+            if size < AT_REST:
+                return q
+            if not size < 0.5 * last:
+                break
+            q, last = q + step, size
+        return self.newton(q, turned, force)
+
+    def newton(self, q, turned, force):
+        """On MuJoCo's forces, with shorter steps where an element is slack."""
         r = self.unbalanced(q, turned, force)
         for _ in range(60):
-            if np.abs(r / scale).max() < SLOW:
-                break
+            if np.abs(r / self.springs).max() < AT_REST:
+                return q
             h = 1e-6
-            jacobian = np.stack([(self.unbalanced(q + h * e, turned, force) - r) / h for e in np.eye(model.nv)], 1)
+            jacobian = np.stack([(self.unbalanced(q + h * e, turned, force) - r) / h for e in np.eye(len(q))], 1)
             step = np.linalg.solve(jacobian, -r)
             size = min(1.0, 0.2 / max(1e-300, np.abs(step).max()))
             trial = self.unbalanced(q + size * step, turned, force)
-            while np.linalg.norm(trial / scale) > np.linalg.norm(r / scale) and size > 1e-3:
+            while np.linalg.norm(trial / self.springs) > np.linalg.norm(r / self.springs) and size > 1e-3:
                 size /= 2
                 trial = self.unbalanced(q + size * step, turned, force)
             q, r = q + size * step, trial
-        else:
-            raise ArithmeticError(f"no equilibrium: {np.abs(r / scale).max():.2g} of the stiffness is out of balance")
-        return q
+        raise ArithmeticError(f"no equilibrium: {np.abs(r / self.springs).max():.2g} of the stiffness is out of balance")
 
     def settle(self, q, turned_path, forces):
         """The equilibria with memory: MuJoCo's dynamics, each motion slow and damped, from rest at q. Joint positions by pose."""
@@ -240,7 +260,7 @@ class TrueArm:
         mass = np.zeros((model.nv, model.nv))
         mujoco.mj_fullM(model, data, mass)
         own = np.diag(mass)
-        damping = np.maximum(4 * np.sqrt(self.scale() * own), 10 * STEP * self.scale())
+        damping = np.maximum(4 * np.sqrt(self.springs * own), 10 * STEP * self.springs)
         model.dof_damping[self.dof] = damping[self.dof]
 
     def tip_pose(self, q):

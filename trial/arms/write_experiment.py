@@ -50,20 +50,19 @@ def document(name, bench, model):
     return "\n".join(lines) + "\n"
 
 
-def write_experiment(folder, name, drawn):
-    bench = drawn.bench
+def write_experiment(folder, name, bench, readings):
     folder.mkdir(parents=True, exist_ok=True)
     file, text = nominal_model(bench.shape)
     (folder / file).write_text(text)
     start = 0
-    for run, (places, reached) in zip(bench.runs, drawn.readings):
+    for run, (places, reached) in zip(bench.runs, readings):
         (folder / f"{run.id}.csv").write_text(table(bench, run, places, reached, start))
         start += len(run.commands)
     (folder / "experiment.toml").write_text(document(name, bench, file))
 
 
 def label(name, drawn):
-    effects = [{"id": one.cause.id, "joint": one.place + 1 if one.place >= 0 and one.cause.local else None,
+    effects = [{"id": one.cause.id, "joint": one.place + 1 if one.place >= 0 else None,
                 "parameters": {k: float(v) for k, v in one.parameters.items()}, "strength_sigma": round(one.strength, 3)} for one in drawn.planted]
     words = "; ".join(one.cause.words for one in drawn.planted if one.cause.words)
     family = f"outside: {words}" if words else drawn.family
