@@ -6,6 +6,7 @@ from model_files import inertia, quaternion, rotation, rotation_about, text
 from truth import Truth
 
 MOVE, HOLD, STEP = 2.0, 1.0, 0.004  # s: of a motion between two poses, of the rest after it, of a time step
+BEAT = 10  # steps between two commands of the servos
 HEAVY = 5e-4  # s^2: inertia over stiffness of what rubs, so that MuJoCo's soft friction sticks
 RIGID = f'solimpfriction="0.9999 0.9999 0.001" solreffriction="{2 * STEP} 1"'
 LOOSE_TOOL = 0.3  # kg: the tool behind a loose flange
@@ -23,6 +24,9 @@ def across(direction):
     first = np.cross(direction, np.eye(3)[np.argmin(np.abs(direction))])
     first /= np.linalg.norm(first)
     return first, np.cross(direction, first)
+
+
+mujoco.set_mju_user_warning(lambda text: None)  # of steps of Newton's method that went too far; what fails is told by its residual
 
 
 class TrueArm:
@@ -241,14 +245,14 @@ class TrueArm:
         data.qpos[:], data.qvel[:] = q, 0
         found = [q.copy()]
         for before, now, force in zip(turned_path, turned_path[1:], forces[1:]):
-            for t in np.arange(0, MOVE + HOLD, STEP):
+            for t in np.arange(0, MOVE + HOLD, BEAT * STEP):
                 share = min(1.0, t / MOVE)
                 turned = before + (now - before) * share**2 * (3 - 2 * share)
                 self.apply(turned, force)
                 for i in self.truth.belt:
                     tendon = model.tendon(f"belt_{i}").id
                     model.tendon_lengthspring[tendon] = turned[i]
-                mujoco.mj_step(model, data)
+                mujoco.mj_step(model, data, BEAT)
             found.append(data.qpos.copy())
         return found
 

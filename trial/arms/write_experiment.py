@@ -46,7 +46,7 @@ def document(name, bench, model):
         lines.append(f'q = {bench.sigma["q"]:.6g}')
     for run in bench.runs:
         loaded_by = "servo" if bench.by_cell else "weights"
-        lines += ["", "[[run]]", f'id = "{run.id}"', 'control = "command"', f'loaded_by = "{loaded_by}"', f'samples = "{run.id}.csv"']
+        lines += ["", "[[run]]", f'id = "{run.id}"', f'loaded_by = "{loaded_by}"', f'samples = "{run.id}.csv"']
     return "\n".join(lines) + "\n"
 
 
