@@ -65,13 +65,13 @@ def scaled(bench, nominal, cause, place, random):
     return one if one.strength > 0.7 * WEAKEST else None
 
 
-def draw_causes(family, random):
+def draw_causes(family, only, random):
     if family == NONE:
         return []
     if family == OUT:
         return [OUTSIDE[random.integers(len(OUTSIDE))]]
-    chosen = list(random.choice(len(INSIDE), 1 if family == ONE else 2, replace=False))
-    return [INSIDE[i] for i in chosen]
+    rows = [cause for cause in INSIDE if not only or cause.id in only]
+    return [rows[i] for i in random.choice(len(rows), 1 if family == ONE else 2, replace=False)]
 
 
 def needs_of(wanted, random):
@@ -82,8 +82,8 @@ def needs_of(wanted, random):
     return needs or ({PULLED} if random.uniform() < 0.25 else needs)
 
 
-def attempt(shape, family, random):
-    wanted = draw_causes(family, random)
+def attempt(shape, family, only, random):
+    wanted = draw_causes(family, only, random)
     needs = needs_of(wanted, random)
     places = [draw_place(c, shape, random) for c in wanted]
     if needs is None or None in places:
@@ -100,15 +100,15 @@ def attempt(shape, family, random):
                  clean_readings(later, truth_with(shape, planted), after=True))
 
 
-def draw(number, seed):
-    """Experiment `number` of a seed; the arms take turns."""
+def draw(number, seed, only=()):
+    """Experiment `number` of a seed; the arms take turns. With `only`, one effect out of these ids in each."""
     shape = SHAPES[number % len(SHAPES)]
     for trial in range(200):
         random = np.random.default_rng([seed, number, trial])
         if trial == 0:
-            family = str(random.choice(list(SHARES), p=list(SHARES.values())))
+            family = ONE if only else str(random.choice(list(SHARES), p=list(SHARES.values())))
         try:
-            drawn = attempt(shape, family, random)
+            drawn = attempt(shape, family, only, random)
         except ArithmeticError:  # a load that snaps something, a play that nothing pushes
             continue
         if drawn is not None:
