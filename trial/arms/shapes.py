@@ -1,9 +1,9 @@
 """Four arms of public shape: lengths, masses and servos. SI units, radians.
 
 industrial  KUKA KR 210 L150: frames and masses of the URDF of the Udacity robotics course (RoboND-Kinematics-Project, kr210.urdf.xacro).
-            Gear stiffnesses are of the order that Dumas et al. (2011, doi 10.1016/j.rcim.2011.02.003) identify on a KR 240-2.
-collaborative  Franka Emika Panda: frames of the maker's franka_description; masses and centres by Gaz et al. (2019,
-            doi 10.1109/LRA.2019.2931248). Gear stiffnesses are of the order of harmonic drives of this size.
+            Gear stiffnesses are of the order that Dumas et al. (2011, Robotics and Computer-Integrated Manufacturing 27, 881-888) identify on a KR 240-2.
+collaborative  Franka Emika Panda: frames of the maker's franka_description; masses and centres by Gaz et al. (2019, IEEE Robotics and
+            Automation Letters). Gear stiffnesses are of the order of harmonic drives of this size.
 hobby       SO-ARM100, five servos: frames, masses and the servos' gain of MuJoCo Menagerie (trs_so_arm100, Apache-2.0).
 scara       Adept Cobra s600: links of 325 and 275 mm and a stroke of 210 mm from its data sheet; masses and stiffnesses are estimates.
 

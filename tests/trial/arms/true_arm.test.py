@@ -63,7 +63,7 @@ class Statics(unittest.TestCase):
             forces = np.tile(load(shape), (10, 1))
             arm = TrueArm(shape, Truth(shape.size))
             at_once = PlainArm.of_shape(shape).rest(path, forces)
-            # four repetitions: the fifth power of the share by which a sag changes its own torque, 2 % at most
+            # three repetitions: the fourth power of the share by which a sag changes its own torque, 2 % at most
             np.testing.assert_allclose([arm.rest(c, load(shape)) for c in path], at_once, atol=1e-7)
 
     def test_a_rubbing_joint_lags_by_its_friction(self):
