@@ -80,6 +80,10 @@ def main():
             wheel, = raw.glob("*.whl")
             run(tools, "-m", "auditwheel", "repair", "--wheel-dir", asked.out, wheel,
                 env={**os.environ, "PATH": f"{place / 'tools/bin'}:{os.environ['PATH']}"})
+            finished, = asked.out.glob(f"{wheel.name.rsplit('-', 1)[0]}-*.whl")
+            run(own, "-m", "pip", "install", "--quiet", finished)
+            run(own, "-c", "import plumbline; plumbline.critical_forces([1, 1], [0, 1])", cwd=place)
+            run(own.parent / "plumbline", "--version")
             shutil.rmtree(raw)
     for file in sorted(asked.out.iterdir()):
         print(f"{file}  {file.stat().st_size / 2**20:.1f} MiB")
