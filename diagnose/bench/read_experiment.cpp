@@ -292,6 +292,12 @@ ReadFile files_of(const fs::path& folder) {
   };
 }
 
+Experiment as_bench(Experiment planned) {
+  Experiment bench = unmeasured(std::move(planned));
+  require_bench(bench);
+  return bench;
+}
+
 }  // namespace
 
 Experiment read_experiment(const fs::path& folder, const NominalChain* model) {
@@ -316,9 +322,12 @@ Experiment read_plan(const fs::path& folder, const NominalChain* model) {
 }
 
 Experiment read_plan(const fs::path& folder, const ReadFile& read, const NominalChain* model) {
-  Experiment bench = unmeasured(read_folder(folder, read, true, model));
-  require_bench(bench);
-  return bench;
+  return as_bench(read_folder(folder, read, true, model));
+}
+
+Experiment read_plan(const toml::table& settings, const std::string& source, const ReadTable& read,
+                     const NominalChain* model) {
+  return as_bench(read_settings(Section(settings, source), {read, true}, model));
 }
 
 }  // namespace plumbline::diagnose

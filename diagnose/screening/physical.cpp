@@ -94,8 +94,11 @@ void require_reach(const Experiment& experiment, const Run& run, const Reach<dou
       distance > limits.largest
           ? "at most the length of the chain, " + metres(limits.largest)
           : "at least " + metres(limits.smallest) + ", what the links reach when folded";
+  const std::string looks_like = as_if(experiment, run);
   throw Error(place(run, *r), "an end point " + metres(distance) + " from the base",
-              expected + as_if(experiment, run));
+              expected + (looks_like.empty() ? "; x and y count from joint 1: where it lies elsewhere, "
+                                               "columns.x.zero and columns.y.zero say where"
+                                             : looks_like));
 }
 
 /// \throws Error for joint angles in degrees, in another order or of another chain: no effect moves the end point of
