@@ -92,9 +92,10 @@ Experiment experiment_of(const py::dict& settings, const std::vector<Samples>& s
   const std::optional<NominalChain> nominal = model_of(model);
   const toml::table table = as_toml(settings);
   std::size_t run = 0;
-  const diagnose::ReadTable read = [&](const diagnose::Section& section, const diagnose::SampleFormat&) {
+  const diagnose::ReadParts read = [&](const diagnose::Section& section,
+                                       const diagnose::SampleFormat& format) {
     const std::string source = "samples of run \"" + section.text("id", "a name") + "\"";
-    return diagnose::NamedTable{source, table_of_columns(samples.at(run++))};
+    return std::vector<diagnose::SamplePart>{{source, table_of_columns(samples.at(run++)), format}};
   };
   return diagnose::read_experiment(table, "experiment", read, nominal ? &*nominal : nullptr);
 }
@@ -169,8 +170,8 @@ class Diagnosed {
  private:
   static std::unique_ptr<Study> study_of(Experiment experiment, const Wish& wish) {
     const py::gil_scoped_release released;
-    const auto stated =
-        wish.effects.empty() ? std::vector<diagnose::StatedEffect>{} : diagnose::read_effects(wish.effects);
+    const auto stated = wish.effects.empty() ? std::vector<diagnose::StatedEffect>{}
+                                             : diagnose::read_effects(wish.effects, experiment.covariates);
     auto study = std::make_unique<Study>(diagnose::study_with(decimated(std::move(experiment)), stated));
     if (!wish.as_is) require_conventions(*study);
     return study;
