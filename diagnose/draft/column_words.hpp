@@ -9,7 +9,7 @@
 namespace plumbline::diagnose {
 
 /// The content of a column.
-enum class Kind { none, time, x, y, z, force_x, force_y, force_z, force, angle, run };
+enum class Kind { none, time, x, y, z, force_x, force_y, force_z, force, angle, run, temperature, humidity };
 
 struct ColumnWords {
   Kind kind = Kind::none;
@@ -24,7 +24,11 @@ struct ColumnWords {
 ColumnWords words_of(const std::string& title, const std::string& below,
                      const std::vector<std::string>& joints);
 
-/// The quantity of a kind; nothing of a run.
+bool is_force(Kind kind);
+/// Whether a column says where the chain is: a place or an angle.
+bool is_place(Kind kind);
+
+/// The quantity of a kind; nothing of a run or a covariate.
 const Quantity* quantity_of(Kind kind);
 
 }  // namespace plumbline::diagnose
