@@ -118,6 +118,17 @@ Kind kind_of(const Words& words) {
 
 }  // namespace
 
+std::vector<ColumnWords> words_of_standard(std::size_t columns, std::size_t joints) {
+  constexpr std::array order{Kind::time, Kind::x, Kind::y, Kind::force_x, Kind::force_y};
+  if (columns != order.size() && columns != order.size() + joints) return {};
+  std::vector<ColumnWords> words(columns);
+  for (std::size_t c = 0; c < columns; ++c) {
+    words[c].kind = c < order.size() ? order[c] : Kind::angle;
+    if (c >= order.size()) words[c].joint = c - order.size() + 1;
+  }
+  return words;
+}
+
 bool is_force(Kind kind) {
   return kind == Kind::force || kind == Kind::force_x || kind == Kind::force_y || kind == Kind::force_z;
 }

@@ -3,6 +3,7 @@
 /// The meaning of a column title: quantity, joint, unit.
 
 #include <string>
+#include <vector>
 
 #include "diagnose/bench/unit.hpp"
 
@@ -23,6 +24,10 @@ struct ColumnWords {
 /// \param joints  the names of the joints, from 1
 ColumnWords words_of(const std::string& title, const std::string& below,
                      const std::vector<std::string>& joints);
+
+/// The meaning of columns without a word, as the format has them: t, x, y, Fx, Fy, and the angles of so many
+/// joints or none; empty for another number of columns.
+std::vector<ColumnWords> words_of_standard(std::size_t columns, std::size_t joints);
 
 bool is_force(Kind kind);
 /// Whether a column says where the chain is: a place or an angle.

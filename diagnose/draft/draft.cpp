@@ -17,9 +17,11 @@
 namespace plumbline::diagnose {
 namespace {
 
-/// What tells the runs in one table apart: a column that names them, or commanded angles that change.
+/// What tells the runs in one table apart: a column that names them, or, where there is no time, commanded
+/// angles that change.
 std::vector<std::size_t> run_columns(const WrittenTable& table, const DraftModel& model) {
   std::vector<std::size_t> naming, commands;
+  bool timed = false;
   for (std::size_t c = 0; c < table.names.size(); ++c) {
     const ColumnWords words =
         words_of(table.names[c], c < table.units.size() ? table.units[c] : "", model.joints);
@@ -27,8 +29,10 @@ std::vector<std::size_t> run_columns(const WrittenTable& table, const DraftModel
     const bool numbered = !name.empty() && std::isdigit(static_cast<unsigned char>(name.back())) != 0;
     if (words.kind == Kind::run && !numbered) naming.push_back(c);  // "run 1" is a run, and names none
     if (words.kind == Kind::angle && words.commanded) commands.push_back(c);
+    timed = timed || words.kind == Kind::time;
   }
-  return naming.empty() ? commands : naming;
+  if (!naming.empty()) return naming;
+  return timed ? std::vector<std::size_t>() : commands;
 }
 
 /// The table cut into one a run; itself where it has one.
@@ -185,10 +189,11 @@ class Drafting {
   bool take_of_angles(const SuspectedConvention& suspected) {
     if (suspected.looks_like == "absolute angles") experiment_.absolute_angles = true;
     for (DraftedRun& run : experiment_.runs)
-      for (DraftColumn& column : run.angles) {
-        if (suspected.looks_like == "degrees") column.unit = "deg";
-        if (suspected.looks_like == "angles of the opposite sign") column.sign *= -1;
-      }
+      for (auto* angles : {&run.angles, &run.commands})
+        for (DraftColumn& column : *angles) {
+          if (suspected.looks_like == "degrees") column.unit = "deg";
+          if (suspected.looks_like == "angles of the opposite sign") column.sign *= -1;
+        }
     return suspected.looks_like != "angles in the reverse order";
   }
 

@@ -99,6 +99,16 @@ std::optional<DraftColumn> time_of(const RunSource& source, const SourcePart& pa
   return {};
 }
 
+/// `q = { column = ["q1", "q2"], unit = "deg" }`
+std::string angles_line(const char* key, const RunSource& source, const std::vector<DraftColumn>& angles,
+                        bool absolute) {
+  std::vector<std::string> names;
+  for (const DraftColumn& column : angles) names.push_back(reference(source, column.place));
+  std::string text = column_table(angles.front(), fmt::format("[{}]", fmt::join(names, ", ")));
+  if (absolute) text.insert(text.size() - 2, ", absolute = true");
+  return fmt::format("{} = {}\n", key, text);
+}
+
 /// \param part  whose columns are written, and with the first the constants; or nullptr for those of all
 std::string columns_lines(const DraftedRun& run, const DraftedExperiment& experiment,
                           const SourcePart* part = nullptr) {
@@ -113,13 +123,10 @@ std::string columns_lines(const DraftedRun& run, const DraftedExperiment& experi
           fmt::format("{} = {}\n", single_names[c], column_table(*column, reference(source, column->place)));
   }
   text += covariate_lines(run, experiment, is_there);
-  if (run.angles.empty() || !is_there(run.angles.front().place)) return text;
-  std::vector<std::string> names;
-  for (const DraftColumn& column : run.angles) names.push_back(reference(source, column.place));
-  text +=
-      fmt::format("q = {}", column_table(run.angles.front(), fmt::format("[{}]", fmt::join(names, ", "))));
-  if (experiment.absolute_angles) text.insert(text.size() - 2, ", absolute = true");
-  return text + "\n";
+  for (const auto& [key, angles] : {std::pair("q", &run.angles), std::pair("q_command", &run.commands)})
+    if (!angles->empty() && is_there(angles->front().place))
+      text += angles_line(key, source, *angles, experiment.absolute_angles);
+  return text;
 }
 
 std::string inline_table(const std::string& lines) {
@@ -210,7 +217,9 @@ std::string samples_lines(const DraftedRun& run, const DraftedExperiment& experi
 std::string run_lines(const DraftedRun& run, const DraftedExperiment& experiment, bool same_csv,
                       bool same_columns) {
   std::string text = fmt::format("\n[[run]]\nid = {}\ncontrol = \"{}\"\n", quoted(run.source.id),
-                                 run.imposes_force ? "force" : "displacement");
+                                 !run.commands.empty() ? "command"
+                                 : run.imposes_force   ? "force"
+                                                       : "displacement");
   if (!run.rest.empty()) text += fmt::format("rest = [{:.6g}]\n", fmt::join(run.rest, ", "));
   text += samples_lines(run, experiment);
   if (is_joined(run)) return text;

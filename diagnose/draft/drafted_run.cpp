@@ -7,7 +7,6 @@
 #include <cmath>
 #include <numeric>
 #include <plumbline/base/error.hpp>
-#include <sstream>
 
 #include "diagnose/draft/column_numbers.hpp"
 #include "diagnose/draft/rest_shape.hpp"
@@ -17,16 +16,6 @@ namespace plumbline::diagnose {
 namespace {
 
 using Values = std::vector<double>;
-
-std::optional<Values> numbers_of(const std::string& text) {
-  std::string plain = text;
-  std::replace_if(
-      plain.begin(), plain.end(), [](char c) { return c == ',' || c == ';' || c == '[' || c == ']'; }, ' ');
-  std::istringstream in(plain);
-  Values all;
-  for (double value = 0; in >> value;) all.push_back(value);
-  return in.eof() ? std::optional(all) : std::nullopt;
-}
 
 class Drafter {
  public:
@@ -44,9 +33,13 @@ class Drafter {
     require_something();
     find_length_unit();
     find_angle_unit();
-    find_control();
-    take_commands();
-    find_rest();
+    if (imposes_commands()) {
+      impose_commands();
+    } else {
+      find_control();
+      take_commands();
+      find_rest();
+    }
     return std::move(run_);
   }
 
@@ -71,15 +64,10 @@ class Drafter {
     words_ = run_.source.words(model_.joints);
     if (!run_.source.parts.front().table.names.empty()) return;
     const std::size_t columns = words_.size();
-    // No words at all: as the format has its columns.
-    const std::array order{Kind::time, Kind::x, Kind::y, Kind::force_x, Kind::force_y};
-    const bool standard = columns == order.size() || columns == order.size() + joints_;
-    if (!standard) return;
-    for (std::size_t c = 0; c < columns; ++c) {
-      words_[c].kind = c < order.size() ? order[c] : Kind::angle;
-      if (c >= order.size()) words_[c].joint = c - order.size() + 1;
-    }
-    say("columns", "t, x, y, Fx, Fy" + std::string(columns > order.size() ? " and the joint angles" : ""),
+    const std::vector<ColumnWords> standard = words_of_standard(columns, joints_);
+    if (standard.empty()) return;
+    words_ = standard;
+    say("columns", "t, x, y, Fx, Fy" + std::string(columns > draft_singles ? " and the joint angles" : ""),
         fmt::format("there are {} and no words above them", columns), true);
   }
 
@@ -170,16 +158,7 @@ class Drafter {
       if (*one && (*one)->unit.empty())
         if (auto* other = one == &x ? &y : &x; *other) (*one)->unit = (*other)->unit;
     if (!x && !y) return;
-    const auto most = [&](const std::array<double, 2>& base, double unit) {
-      const Values xs = x ? raw(*x) : Values(), ys = y ? raw(*y) : Values();
-      double far = 0;
-      for (std::size_t i = 0; i < std::max(xs.size(), ys.size()); ++i) {
-        const double a = i < xs.size() && std::isfinite(xs[i]) ? xs[i] * unit - base[0] : 0;
-        const double b = i < ys.size() && std::isfinite(ys[i]) ? ys[i] * unit - base[1] : 0;
-        far = std::max(far, std::hypot(a, b));
-      }
-      return far;
-    };
+    const Values xs = x ? raw(*x) : Values(), ys = y ? raw(*y) : Values();
     constexpr double slack = 1.02, least = 0.03;
     const std::array<double, 2> own{0, 0};
     const bool elsewhere = std::hypot(model_.base[0], model_.base[1]) > 0;
@@ -190,7 +169,7 @@ class Drafter {
       if (!from_base && !elsewhere) break;
       for (const std::string& unit : units) {
         const double factor = parse_unit(unit, quantity::length, "").in_si();
-        const double far = most(from_base ? own : model_.base, factor);
+        const double far = farthest(xs, ys, from_base ? own : model_.base, factor);
         if (far > slack * reach_ || far < least * reach_) continue;
         set_place(x, unit, from_base ? 0 : model_.base[0] / factor);
         set_place(y, unit, from_base ? 0 : model_.base[1] / factor);
@@ -225,6 +204,22 @@ class Drafter {
   }
 
   [[nodiscard]] Values raw(const DraftColumn& column) const { return run_.source.numbers(column.place); }
+
+  /// Commands to every joint along a time are a motion; without a time they are a pose each.
+  [[nodiscard]] bool imposes_commands() const {
+    return run_.singles[draft_t] && !run_.angles.empty() && !angle_columns(true).empty();
+  }
+
+  void impose_commands() {
+    std::vector<std::string> names;
+    for (const std::size_t c : angle_columns(true)) {
+      run_.commands.push_back({c, words_[c].unit.empty() ? run_.angles.front().unit : words_[c].unit});
+      names.push_back(title(c));
+    }
+    run_.imposes_force = true;
+    say("control", "command",
+        fmt::format("{}: a command to every joint, along the time", fmt::join(names, ", ")));
+  }
 
   /// What is imposed goes in even steps; what is measured scatters.
   void find_control() {
@@ -362,7 +357,7 @@ class Drafter {
         run_.source.name(), reason, joints_);
   }
   void take_rest(const std::string& answer) {
-    const auto values = numbers_of(answer);
+    const auto values = numbers_in(answer);
     if (!values || values->size() != joints_)
       throw Error("rest of " + run_.source.name(), files::shown(answer),
                   fmt::format("{} angles in rad", joints_));

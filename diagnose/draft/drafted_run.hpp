@@ -32,6 +32,7 @@ struct DraftedRun {
   std::array<std::optional<DraftColumn>, draft_singles> singles;
   std::vector<DraftColumn> angles;                ///< of all joints, or none
   std::map<std::string, std::size_t> covariates;  ///< columns by the names of their variables
+  std::vector<DraftColumn> commands;              ///< of all joints, where the run imposes them; or none
   bool imposes_force = false;
   std::vector<double> rest;  ///< rad; empty where the model's serves
   Guesses guesses;

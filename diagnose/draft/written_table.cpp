@@ -135,6 +135,9 @@ class Guesser {
       : text_(text), source_(source), lines_(lines_of(text)) {}
 
   WrittenTable result() {
+    if (text_.starts_with("PK\x03\x04"))  // a zip archive, as workbooks are
+      throw Error(source_, "a workbook",
+                  "text in columns; in the Python package `plumbline new` reads workbooks");
     cut_ = best_cut(lines_);
     if (cut_.columns < 2)
       throw Error(source_, "no rows of numbers", "a table with a column for each quantity, a row a reading");
