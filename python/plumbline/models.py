@@ -11,7 +11,7 @@ from typing import Any, NamedTuple, Union
 from plumbline import _engine
 from plumbline._engine import Error
 from plumbline.numbers import Floats
-from plumbline.spreadsheets import sheet_as_csv
+from plumbline.spreadsheets import is_workbook, sheet_as_csv
 
 PathLike = Union[str, "os.PathLike[str]"]
 #: A file (MJCF, URDF, SDF or our TOML), or a specification of MuJoCo's own (`mujoco.MjSpec`).
@@ -120,6 +120,6 @@ def draft(model: Model, tables: Mapping[str, Any] | Sequence[PathLike], *, name:
 
 
 def _named_text(table: pathlib.Path, sheet: str | None) -> tuple[str, str]:
-    if table.suffix.lower() in (".xlsx", ".xlsm"):
+    if is_workbook(table):
         return f"{table.stem}.csv", sheet_as_csv(table, sheet)
     return table.name, table.read_text(encoding="utf-8-sig")

@@ -16,6 +16,11 @@ if TYPE_CHECKING:
 EPOCH = datetime.datetime(1970, 1, 1)
 
 
+def is_workbook(file: str | os.PathLike[str]) -> bool:
+    """By its name."""
+    return pathlib.Path(file).suffix.lower() in (".xlsx", ".xlsm")
+
+
 def sheet_names(file: str | os.PathLike[str]) -> list[str]:
     """The sheets of a workbook that hold anything."""
     return [sheet.title for sheet in _workbook(file).worksheets if any(_rows(sheet))]
