@@ -49,9 +49,10 @@ diagnose::Experiment bench_of(const ExperimentInput& input) {
 }
 
 diagnose::Study study_of(const ExperimentInput& input, const diagnose::Experiment& experiment) {
-  return diagnose::study_with(decimated(experiment), input.effects.empty()
-                                                         ? std::vector<diagnose::StatedEffect>{}
-                                                         : diagnose::read_effects(input.effects));
+  return diagnose::study_with(decimated(experiment),
+                              input.effects.empty()
+                                  ? std::vector<diagnose::StatedEffect>{}
+                                  : diagnose::read_effects(input.effects, experiment.covariates));
 }
 
 }  // namespace plumbline::app

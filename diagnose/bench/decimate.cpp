@@ -216,6 +216,8 @@ class Decimator {
       channel.in(one) = mean(group, [&](const Reading& reading) { return channel.of(reading); });
     for (std::size_t j = 0; j < one.rest.size(); ++j)
       one.rest[j] = mean(group, [&](const Reading& reading) { return reading.rest[j]; });
+    for (std::size_t c = 0; c < one.covariates.size(); ++c)
+      one.covariates[c] = mean(group, [&](const Reading& reading) { return reading.covariates[c]; });
     result_.readings.push_back(std::move(one));
     result_.groups.first.push_back(group.from);
     return result_.readings.back();

@@ -32,8 +32,10 @@ Reading between(const Reading& from, const Reading& to, double share) {
   const auto at = [share](double a, double b) { return a + share * (b - a); };
   Reading one{at(from.t, to.t),   at(from.x, to.x),   at(from.y, to.y),
               at(from.Fx, to.Fx), at(from.Fy, to.Fy), {},
-              from.rest};
+              from.rest,          from.covariates};
   for (std::size_t i = 0; i < one.rest.size(); ++i) one.rest[i] = at(from.rest[i], to.rest[i]);
+  for (std::size_t i = 0; i < one.covariates.size(); ++i)
+    one.covariates[i] = at(from.covariates[i], to.covariates[i]);
   return one;
 }
 

@@ -8,8 +8,11 @@
 #include <plumbline/base/error.hpp>
 #include <set>
 
+#include "diagnose/bench/continued_runs.hpp"
+#include "diagnose/bench/covariates.hpp"
 #include "diagnose/bench/read_date.hpp"
 #include "diagnose/bench/read_nominal.hpp"
+#include "diagnose/bench/read_parts.hpp"
 #include "diagnose/bench/read_samples.hpp"
 #include "diagnose/bench/sample_format.hpp"
 #include "diagnose/bench/unmeasured.hpp"
@@ -123,7 +126,7 @@ fs::path file_inside(const fs::path& folder, const std::string& name, const std:
 
 /// The kind of reading: an experiment, or a bench before any measurement.
 struct Source {
-  const ReadTable& read;
+  const ReadParts& read;
   bool plan;
 };
 
@@ -172,8 +175,7 @@ void read_samples_of(const Section& section, const Shared& shared, bool commande
   SampleFormat format = read_sample_format(section, shared.format);
   format.commanded = commanded;
   format.any_order |= (shared.source.plan && format.header) || commanded;  // a plan may hold commands alone
-  const NamedTable named = shared.source.read(section, format);
-  Samples samples = read_samples(named.table, named.source, run.control, format);
+  Samples samples = read_samples(shared.source.read(section, format), run.control);
   run.readings = std::move(samples.readings);
   run.origins = std::move(samples.origins);
 }
@@ -267,6 +269,8 @@ Experiment read_settings(const Section& root, const Source& source, const Nomina
                       units.rest, model ? "the model that is given" : "the nominal chain"};
   experiment.noise = read_noise(root.table("noise"), shared.format);
   experiment.runs = read_runs(root, shared);
+  experiment.covariates = complete_covariates(experiment.runs, root.place("run"));
+  join_continued(experiment);
   count_from_first_reading(experiment.runs);
   return experiment;
 }
@@ -274,13 +278,13 @@ Experiment read_settings(const Section& root, const Source& source, const Nomina
 /// The same from files.
 Experiment read_folder(const fs::path& folder, const ReadFile& read, bool plan, const NominalChain* model) {
   const std::string settings = "experiment.toml", file = (folder / settings).string();
-  const ReadTable read_table = [&](const Section& run, const SampleFormat& format) {
-    const std::string name = run.text("samples", "the name of a sample file");
-    const std::string source = (folder / name).string();
-    return NamedTable{source, parse_sample_table(read(name, run.place("samples")), source, format)};
+  const ReadParts read_all = [&](const Section& run, const SampleFormat& format) {
+    return read_parts(run, format, [&](const std::string& name, const std::string& place) {
+      return NamedText{(folder / name).string(), read(name, place)};
+    });
   };
   const toml::table table = files::parse_toml(read(settings, file), file);
-  return read_settings(Section(table, file), {read_table, plan}, model);
+  return read_settings(Section(table, file), {read_all, plan}, model);
 }
 
 ReadFile files_of(const fs::path& folder) {
@@ -310,7 +314,7 @@ Experiment read_experiment(const fs::path& folder, const ReadFile& read, const N
   return experiment;
 }
 
-Experiment read_experiment(const toml::table& settings, const std::string& source, const ReadTable& read,
+Experiment read_experiment(const toml::table& settings, const std::string& source, const ReadParts& read,
                            const NominalChain* model) {
   Experiment experiment = read_settings(Section(settings, source), {read, false}, model);
   require_physical(experiment);

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "diagnose/bench/experiment.hpp"
-#include "diagnose/bench/sample_table.hpp"
+#include "diagnose/bench/sample_columns.hpp"
 
 namespace plumbline::diagnose {
 
@@ -19,20 +19,16 @@ namespace plumbline::diagnose {
 ///         readings that the chain cannot reach, or too few of them to judge anything
 Experiment read_experiment(const std::filesystem::path& folder, const NominalChain* model = nullptr);
 
-/// The samples of a run.
-struct NamedTable {
-  std::string source;  ///< as errors name it
-  SampleTable table;
-};
+/// The samples of a run, in one part or several.
 /// \param run     its table: the key `samples` says which samples
 /// \param format  that the experiment and the run declare
 /// \throws Error that names the key, or the source
-using ReadTable = std::function<NamedTable(const Section& run, const SampleFormat& format)>;
+using ReadParts = std::function<std::vector<SamplePart>(const Section& run, const SampleFormat& format)>;
 
 /// An experiment in memory: the same keys, checked by the same rules.
 /// \param settings  the contents of experiment.toml
 /// \param source    named in errors
-Experiment read_experiment(const toml::table& settings, const std::string& source, const ReadTable& read,
+Experiment read_experiment(const toml::table& settings, const std::string& source, const ReadParts& read,
                            const NominalChain* model = nullptr);
 
 /// Reads the text of experiment.toml, or of a sample file that it names.

@@ -47,6 +47,12 @@ std::string gap(const Diagnosis& diagnosis) {
   if (!answer.taken_for_weights.empty())
     text += fmt::format("  all forces of {} point straight down without noise: assumed to be weights\n",
                         fmt::join(answer.taken_for_weights, ", "));
+  for (const ContinuedRun& one : answer.continued)
+    text += fmt::format("  {} goes on where {} ends, in time and command: read as one run\n",
+                        fmt::join(one.by, ", "), one.run);
+  for (const InterpolatedCovariate& one : answer.interpolated)
+    text += fmt::format("  {} has no value at {} of {} readings of {}: interpolated in time\n", one.covariate,
+                        one.count, one.of, one.run);
   for (const OtherBranch& one : answer.other_branch)
     text += fmt::format(
         "  from reading {} of {} on the chain is on the other post-critical branch, which imperfections "

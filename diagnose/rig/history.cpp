@@ -320,6 +320,7 @@ class RunWalk {
       rig.expect(share, dt);
       RigStep step{rig.on, moved_ ? rig.interval(dt) : TimeStep{}, rig.memory};
       step.interval.end = reading.t;
+      step.interval.covariates = reading.covariates;
       return step;
     };
     const RigStep step = step_of(main_);
@@ -361,18 +362,19 @@ class RunWalk {
     row(column_Fy) = force.y();
     for (std::size_t i = 0; i < layout_.links; ++i)
       row(column_q + static_cast<Eigen::Index>(i)) = layout_.joint_angle(rig.posture.angle, i);
-    correct(rig.on, reading.t, row);
+    correct(rig.on, reading, row);
   }
 
   /// Adds the user's corrections to the measured channels.
   template <class Row>
-  void correct(const RunRig& on, double t, Row& row) const {
+  void correct(const RunRig& on, const Reading& reading, Row& row) const {
     if (on.rig.stated_corrections.empty()) return;
     Eigen::ArrayXd added = Eigen::ArrayXd::Zero(row.size());
     for (const StatedCorrection& one : on.rig.stated_corrections) {
       for (const Channel& channel : run_.measured()) {
         if (!one.applies_to(channel)) continue;
-        const Moment moment{t, run_.number, direction_of(channel), on.joint[channel.joint].rest};
+        const Moment moment{reading.t, run_.number, direction_of(channel), on.joint[channel.joint].rest,
+                            reading.covariates};
         added(column_of(channel)) += one.value(reading_values(row.transpose(), moment, channel));
       }
     }
@@ -455,9 +457,11 @@ std::vector<double> reading_values(const Eigen::Ref<const Eigen::ArrayXd>& row, 
   const double run = static_cast<double>(moment.run + 1);
   std::vector<double> values{row(column_x), row(column_y), row(column_Fx),  row(column_Fy),
                              moment.t,      run,           moment.direction};
-  if (channel.name != Channel::Name::q) return values;
-  const double q = row(column_of(channel));
-  values.insert(values.end(), {q, q - moment.rest});
+  if (channel.name == Channel::Name::q) {
+    const double q = row(column_of(channel));
+    values.insert(values.end(), {q, q - moment.rest});
+  }
+  values.insert(values.end(), moment.covariates.begin(), moment.covariates.end());
   return values;
 }
 

@@ -3,6 +3,7 @@
 /// The prediction of an experiment with a given rig, along the loading history of every run.
 
 #include <Eigen/Core>
+#include <span>
 #include <vector>
 
 #include "diagnose/bench/experiment.hpp"
@@ -29,9 +30,10 @@ struct Moment {
   double
       direction;  ///< 1 or -1: of the joint for a joint angle, else of the command along the channel's axis
   double rest;    ///< rest angle of that joint
+  std::span<const double> covariates = {};  ///< of the reading
 };
 
-/// The values of the variables of a channel's correction: reading_variables, angle_variables.
+/// The values of the variables of a channel's correction: reading_variables, angle_variables, covariates.
 std::vector<double> reading_values(const Eigen::Ref<const Eigen::ArrayXd>& row, const Moment& moment,
                                    const Channel& channel);
 

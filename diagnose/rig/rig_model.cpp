@@ -133,7 +133,8 @@ void RigModel<Bandwidth>::add_stated(std::size_t joint, double q, const Vector2&
       s < law.slider.size() && !step_->interval.relaxed
           ? law.dry(law.slider[s], last.slider[s], q, last, (*contact_)[layout_.contact(joint, s)])
           : Torque{};
-  const StatedTorque::Place place{q, q - law.rest, step_->interval.end, law.stiffness, force};
+  const TimeStep& interval = step_->interval;
+  const StatedTorque::Place place{q, q - law.rest, interval.end, law.stiffness, force, interval.covariates};
   for (const StatedTorque& one : law.stated) {
     const double value = one.value(place, motion.value);
     if constexpr (!derivatives) {

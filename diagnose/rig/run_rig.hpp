@@ -5,6 +5,7 @@
 #include <plumbline/base/number.hpp>
 #include <plumbline/chain/kinematics.hpp>
 #include <plumbline/loaded/control.hpp>
+#include <span>
 #include <vector>
 
 #include "diagnose/rig/joint_law.hpp"
@@ -45,6 +46,7 @@ struct TimeStep {
   TimeStep() { decay.fill(1), gain.fill(1); }
   bool relaxed = true;  ///< a slow approach before the first reading: no Maxwell arm, few sliders
   double end = 0;       ///< time of the reading, s
+  std::span<const double> covariates = {};    ///< at the reading
   std::array<double, most_arms> decay, gain;  ///< of the rig's arms
 };
 

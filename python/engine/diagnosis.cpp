@@ -95,9 +95,10 @@ Experiment experiment_of(const py::dict& settings, const std::vector<Samples>& s
   const std::optional<NominalChain> nominal = model_of(model);
   const toml::table table = as_toml(settings);
   std::size_t run = 0;
-  const diagnose::ReadTable read = [&](const diagnose::Section& section, const diagnose::SampleFormat&) {
+  const diagnose::ReadParts read = [&](const diagnose::Section& section,
+                                       const diagnose::SampleFormat& format) {
     const std::string source = "samples of run \"" + section.text("id", "a name") + "\"";
-    return diagnose::NamedTable{source, table_of_columns(samples.at(run++))};
+    return std::vector<diagnose::SamplePart>{{source, table_of_columns(samples.at(run++)), format}};
   };
   return read_with(table, "experiment", read, nominal ? &*nominal : nullptr);
 }
@@ -111,8 +112,8 @@ struct Wish {
 
 /// \param effects  a file; or empty
 Study study_with(Experiment experiment, const std::string& effects) {
-  const auto stated =
-      effects.empty() ? std::vector<diagnose::StatedEffect>{} : diagnose::read_effects(effects);
+  const auto stated = effects.empty() ? std::vector<diagnose::StatedEffect>{}
+                                      : diagnose::read_effects(effects, experiment.covariates);
   return diagnose::study_with(decimated(std::move(experiment)), stated);
 }
 

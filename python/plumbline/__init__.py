@@ -18,6 +18,7 @@ from plumbline.loaded import (Branch, Equilibria, Path, Points, Proof, equilibri
                               path_certificate)
 from plumbline.models import Draft, Guess, NominalChain, draft, read_chain
 from plumbline.program import check, check_experiment, diagnose_folders, figure, plan_folder, reference, trial, verify
+from plumbline.recordings import read_recording
 from plumbline.straight import (Modes, critical_certificate, critical_forces, critical_modes, lowest_critical_forces)
 from plumbline.structures import (Chain, StabilityLoss, critical_factors, stability_loss, structure_certificate,
                                   structure_equilibria, structure_path)
@@ -27,6 +28,6 @@ __all__ = [
     "Path", "Points", "Proof", "StabilityLoss", "__version__", "check", "check_experiment", "critical_certificate",
     "critical_factors", "critical_forces", "critical_modes", "diagnose", "diagnose_folder", "diagnose_folders", "draft",
     "equilibria", "equilibria_certificate", "figure", "lowest_critical_forces", "path", "path_certificate", "plan",
-    "plan_folder", "read_chain", "reference", "stability_loss", "structure_certificate", "structure_equilibria",
-    "structure_path", "trial", "verify",
+    "plan_folder", "read_chain", "read_recording", "reference", "stability_loss", "structure_certificate",
+    "structure_equilibria", "structure_path", "trial", "verify",
 ]
