@@ -37,7 +37,8 @@ Vector<Real> commanded(const SerialArm<Real>& arm, const Vector<Real>& command) 
 
 /// Coordinates u of all freedoms at rest: u = command + C tau(u), by Newton's method.
 /// \param command  of the joints
-/// \throws Error where no rest is found from the command: the arm is softer than its loads, or buckles
+/// \throws Error where no rest is found from the command, or an unstable one: the arm is softer than its loads, or
+///         buckles
 template <Floating Real>
 Vector<Real> equilibrium(const SerialArm<Real>& arm, const Vector<Real>& command,
                          const std::vector<ArmWrench<Real>>& wrenches) {
@@ -49,14 +50,16 @@ Vector<Real> equilibrium(const SerialArm<Real>& arm, const Vector<Real>& command
   for (int iteration = 0; iteration < most; ++iteration) {
     const ArmLoads<Real> loads = arm_loads(arm, ArmPosture<Real>(arm, u), wrenches);
     const Vector<Real> residual = u - start - soft * loads.force;
-    const Vector<Real> step = Eigen::PartialPivLU<Matrix<Real>>(one - soft * loads.stiffness).solve(residual);
+    const Eigen::PartialPivLU<Matrix<Real>> tangent(one - soft * loads.stiffness);
+    const Vector<Real> step = tangent.solve(residual);
     u -= step;
     last = step.template lpNorm<Eigen::Infinity>();
-    if (!(last < Real(10))) break;  // a turn and a half, or no number
+    // A turn and a half, or no number; or more loads than springs.
+    if (!(last < Real(10)) || !(tangent.determinant() > Real(0))) break;
     if (last <= Real(8) * epsilon<Real>() * (Real(1) + u.template lpNorm<Eigen::Infinity>())) return u;
   }
   throw Error("arm",
-              "no rest near its command: the last step of " + std::to_string(most) + " was " +
+              "no stable rest near its command: the last step of Newton's method was " +
                   std::to_string(static_cast<double>(last)),
               "springs that are stiffer than the loads");
 }
