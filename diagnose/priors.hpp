@@ -16,6 +16,8 @@ inline constexpr double stiffness_tolerance = 0.1, length_tolerance = 0.01, angl
 inline constexpr double friction_tolerance = 0.1, hardening_tolerance = 1;
 /// Hinges that are folded, glued or notched on one side differ from side to side by a fifth.
 inline constexpr double asymmetry_tolerance = 0.2;
+/// Arms in space: zeros of encoders, rad, and places of axes, over the length of the arm.
+inline constexpr double zero_tolerance = 0.001, axis_tolerance = 0.0003;
 
 // ---- Causes ----
 

@@ -235,7 +235,7 @@ class Decimator {
 Experiment decimated(Experiment experiment) {
   std::size_t total = 0;
   for (const Run& run : experiment.runs) total += run.readings.size();
-  if (total <= short_enough) return experiment;
+  if (total <= short_enough || experiment.arm) return experiment;  // neighbouring poses have no median
   std::map<Control, double> farthest;
   for (const Run& run : experiment.runs) farthest[run.control] = std::max(farthest[run.control], extent(run));
   for (Run& run : experiment.runs) {

@@ -3,7 +3,7 @@
 /// The nominal model of an arm in space: its mechanics, and the names and limits that its model file gives.
 
 #include <array>
-#include <plumbline/arm/serial_arm.hpp>
+#include <plumbline/arm/arm_kinematics.hpp>
 #include <string>
 #include <vector>
 
@@ -16,5 +16,9 @@ struct NominalArm {
   std::vector<std::string> joint, link;         ///< names
   std::vector<std::array<double, 2>> limits{};  ///< of joint coordinates, rad or m; infinite without
 };
+
+/// The pose of a frame of the arm that no joint or link yields: by it orientations are told.
+Pose<double> nominal_pose(const SerialArm<double>& arm, const OnLink<double>& point,
+                          const std::vector<double>& command);
 
 }  // namespace plumbline::diagnose

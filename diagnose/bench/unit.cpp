@@ -24,6 +24,7 @@ const Quantity stiffness{"a stiffness of a joint",
                          {2, 1, -2, -1},
                          "N m/rad",
                          "N m/rad, N mm/rad, N mm/deg, mN m/rad, kgf cm/rad, lbf in/rad"};
+const Quantity moment{"a moment", {2, 1, -2, 0}, "N m", "N m, N mm, kgf cm, lbf in"};
 const Quantity acceleration{"an acceleration", {.length = 1, .time = -2}, "m/s^2", "m/s^2, mm/s^2, ft/s^2"};
 
 }  // namespace quantity

@@ -73,16 +73,18 @@ std::string where(const Diagnosis& diagnosis) {
   text += "  channels: " + largest(places.channels, 4, [](const auto& one) { return one.channel.label(); }) +
           "\n";
   text += "  runs:     " + largest(places.runs, 4, [](const auto& one) { return one.run; }) + "\n";
-  text += "  path:     " +
-          largest(places.load_path, 3,
-                  [](const PathShare& one) {
-                    return fmt::format("{} readings {}-{} ({})", one.run, one.from, one.to,
-                                       regime_word(one.regime));
-                  }) +
-          "\n";
-  text += "  joints:   " +
-          largest(places.joints, 4, [](const JointShare& one) { return std::to_string(one.joint); }) + " (" +
-          joint_evidence_words(places.joint_evidence) + ")\n";
+  if (!places.load_path.empty())
+    text += "  path:     " +
+            largest(places.load_path, 3,
+                    [](const PathShare& one) {
+                      return fmt::format("{} readings {}-{} ({})", one.run, one.from, one.to,
+                                         regime_word(one.regime));
+                    }) +
+            "\n";
+  if (!places.joints.empty())
+    text += "  joints:   " +
+            largest(places.joints, 4, [](const JointShare& one) { return std::to_string(one.joint); }) + " (" +
+            joint_evidence_words(places.joint_evidence) + ")\n";
   return text;
 }
 

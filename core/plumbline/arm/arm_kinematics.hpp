@@ -48,6 +48,10 @@ template <Floating Real>
 struct OnLink {
   std::size_t link;
   Pose<Real> frame = Pose<Real>::Identity();  ///< in that of the link
+
+  friend bool operator==(const OnLink& a, const OnLink& b) {
+    return a.link == b.link && a.frame.matrix() == b.frame.matrix();
+  }
 };
 
 /// A posture: the frames of all links, and the freedoms from the base on.

@@ -80,4 +80,18 @@ ArmLoads<Real> arm_loads(const SerialArm<Real>& arm, const ArmPosture<Real>& pos
   return loads;
 }
 
+/// Moment of all loads about the origin of the base, in the world, N m.
+template <Floating Real>
+Vector3<Real> moment_on_base(const SerialArm<Real>& arm, const ArmPosture<Real>& posture,
+                             const std::vector<ArmWrench<Real>>& wrenches) {
+  LoadBeyond<Real> all;
+  for (std::size_t i = 0; i < arm.size(); ++i)
+    all.add(arm.links[i].mass * arm.gravity, posture.frame(i) * arm.links[i].centre);
+  for (const ArmWrench<Real>& one : wrenches) {
+    all.add(one.force, posture.of(one.at).translation());
+    all.moment += one.moment;
+  }
+  return all.about_origin() - arm.base.translation().cross(all.force);
+}
+
 }  // namespace plumbline

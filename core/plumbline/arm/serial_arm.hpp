@@ -48,6 +48,12 @@ struct ArmLink {
   /// Twist of the link's far end by a wrench there, in the axes of the link: m/N, rad/(N m). The far end is
   /// the origin of the next link's frame, or the tip. Symmetric; zero is rigid.
   Matrix6<Real> compliance = Matrix6<Real>::Zero();
+
+  friend bool operator==(const ArmLink& a, const ArmLink& b) {
+    return a.kind == b.kind && a.frame.matrix() == b.frame.matrix() && a.axis == b.axis &&
+           a.joint_compliance == b.joint_compliance && a.mass == b.mass && a.centre == b.centre &&
+           a.compliance == b.compliance;
+  }
 };
 
 /// SI units, radians. Joint coordinates are in the order of the links.
@@ -62,6 +68,10 @@ struct SerialArm {
   /// The far end of a link, in its frame: the next link's frame, or the tip.
   [[nodiscard]] const Pose<Real>& far_end(std::size_t link) const {
     return link + 1 < size() ? links[link + 1].frame : tip;
+  }
+  friend bool operator==(const SerialArm& a, const SerialArm& b) {
+    return a.base.matrix() == b.base.matrix() && a.gravity == b.gravity && a.links == b.links &&
+           a.tip.matrix() == b.tip.matrix();
   }
 };
 

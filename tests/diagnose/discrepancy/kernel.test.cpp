@@ -47,11 +47,11 @@ TEST_CASE("commands are counted from rest over the farthest, with their directio
   const CommandStates states(experiment);
   REQUIRE(states.of.size() == 1);
   const std::vector<CommandState>& run = states.of[0];
-  CHECK(run.front().command.norm() < 1e-12);
-  CHECK(run[20].command.norm() == close_to(1));
-  CHECK(run[5].command.norm() == close_to(0.25));
-  CHECK(run[20].direction == 1);
-  CHECK(run[21].direction == -1);
+  CHECK(run.front().command[0].norm() < 1e-12);
+  CHECK(run[20].command[0].norm() == close_to(1));
+  CHECK(run[5].command[0].norm() == close_to(0.25));
+  CHECK(run[20].direction[0] == 1);
+  CHECK(run[21].direction[0] == -1);
   CHECK(run[10].progress == close_to(0.25));
   CHECK(run.back().progress == close_to(1));
   CHECK(states.knows_rest[0]);
