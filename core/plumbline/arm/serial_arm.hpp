@@ -53,10 +53,10 @@ struct ArmLink {
 /// SI units, radians. Joint coordinates are in the order of the links.
 template <Floating Real>
 struct SerialArm {
-  Pose<Real> base = Pose<Real>::Identity();                          ///< in the world
+  Pose<Real> base = Pose<Real>::Identity();                         ///< in the world
   Vector3<Real> gravity{Real(0), Real(0), Real(-981) / Real(100)};  ///< acceleration, in the world
-  std::vector<ArmLink<Real>> links;                                  ///< from the base on
-  Pose<Real> tip = Pose<Real>::Identity();                           ///< in the frame of the last link
+  std::vector<ArmLink<Real>> links;                                 ///< from the base on
+  Pose<Real> tip = Pose<Real>::Identity();                          ///< in the frame of the last link
 
   [[nodiscard]] std::size_t size() const { return links.size(); }
   /// The far end of a link, in its frame: the next link's frame, or the tip.
@@ -80,7 +80,8 @@ void require_physical(const SerialArm<Real>& arm) {
       throw Error(place, "a mass that is negative or no number", "kg, zero or positive");
     if (!(link.joint_compliance >= Real(0)) || !is_finite(link.joint_compliance))
       throw Error(place, "a joint compliance that is negative or no number", "zero or positive");
-    if (!(link.compliance.diagonal().minCoeff() >= Real(0)) || !(link.compliance == link.compliance.transpose()))
+    if (!(link.compliance.diagonal().minCoeff() >= Real(0)) ||
+        !(link.compliance == link.compliance.transpose()))
       throw Error(place, "a compliance that is negative or not symmetric", "a symmetric matrix");
   }
 }
