@@ -12,7 +12,8 @@ namespace {
 void require_reached(const Study& study) {
   if (study.nominal().reached) return;
   if (study.experiment().arm)
-    throw Error("experiment \"" + study.experiment().name + "\"", "loads under which the nominal arm does not hold its poses",
+    throw Error("experiment \"" + study.experiment().name + "\"",
+                "loads under which the nominal arm does not hold its poses",
                 "joints and links that are stiffer than their loads");
   const std::vector<Run>& runs = study.experiment().runs;
   if (study.experiment().link_length.size() == 1 &&
@@ -121,6 +122,7 @@ Diagnosis diagnose(const Study& study, const std::function<void(double)>& progre
                       {},
                       {},
                       {}};
+  if (study.experiment().arm) diagnosis.joints = study.experiment().arm->joint;
   diagnosis.gap.present = gap;
   diagnosis.gap.probability = 1 - posterior.no_gap;
   if (gap) explain(study, findings, posterior, diagnosis);

@@ -76,7 +76,8 @@ Channel moves_most(const Experiment& experiment, const Run& like) {
 std::vector<Abscissa> abscissae(const Experiment& experiment, const Run& like) {
   if (!experiment.arm) {
     const Channel over = moves_most(experiment, like);
-    return {{over.label(), std::string(over.unit()), [over](const Reading& reading) { return over.of(reading); }}};
+    return {{over.label(), std::string(over.unit()),
+             [over](const Reading& reading) { return over.of(reading); }}};
   }
   std::vector<Abscissa> all;
   for (std::size_t j = 0; j < experiment.arm->arm.size(); ++j) {
@@ -182,7 +183,8 @@ Missing describe_missing(const Study& study, const NoiseEstimate& noise, const W
   }
   const Channel& of = where.channels.front().channel;
   const auto& all = study.measurements().series();
-  const auto first = std::find_if(all.begin(), all.end(), [&](const Series& one) { return one.channel == of; });
+  const auto first =
+      std::find_if(all.begin(), all.end(), [&](const Series& one) { return one.channel == of; });
   const Run& like = study.experiment().runs[first->run];
   for (const Abscissa& over : abscissae(study.experiment(), like)) {
     Missing one = channel_over(study, noise, of, like.control, over);

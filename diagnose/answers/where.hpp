@@ -36,7 +36,7 @@ struct Where {
   std::vector<ChannelShare> channels;
   std::vector<RunShare> runs;
   std::vector<PathShare> load_path;  ///< empty for an arm in space, whose readings are poses
-  std::vector<JointShare> joints;  ///< largest first
+  std::vector<JointShare> joints;    ///< largest first
   JointEvidence joint_evidence = JointEvidence::implied_by_law;
 };
 

@@ -150,11 +150,11 @@ struct Experiment : NominalChain {
   std::string name;
   Bench bench;
   Noise noise;
-  ArmBench arm_bench = {};
   std::vector<Run> runs;
   /// Number of all runs, with those left out since; 0 before numbering.
   std::size_t run_count = 0;
   std::vector<Origin> origins = {};  ///< of link_length, joint_stiffness, link_mass, gravity and rest
+  ArmBench arm_bench = {};           ///< of an arm in space
 };
 
 }  // namespace plumbline::diagnose

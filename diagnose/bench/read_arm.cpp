@@ -85,21 +85,26 @@ void read_stiffness(const Section& section, NominalArm& nominal) {
 
 NominalArm read_nominal_arm(const Section& section, const ReadArm& read) {
   if (section.has("model") == section.has("joint"))
-    throw Error(section.where(), section.has("model") ? "arm.model and arm.joint" : "neither arm.model nor arm.joint",
+    throw Error(section.where(),
+                section.has("model") ? "arm.model and arm.joint" : "neither arm.model nor arm.joint",
                 "one of them");
   NominalArm nominal;
   if (section.has("joint")) {
     nominal = read_joints(section);
     nominal.arm.tip = pose(section, "tip_xyz", "tip_rpy");
   } else {
-    const auto end = [&](const char* key) { return section.has(key) ? section.text(key, "a name") : std::string(); };
+    const auto end = [&](const char* key) {
+      return section.has(key) ? section.text(key, "a name") : std::string();
+    };
     const std::string file = section.text("model", "the name of a file");
-    if (!read) throw Error(section.place("model"), "a model's file", "arm.joint, for no models are read here");
+    if (!read)
+      throw Error(section.place("model"), "a model's file", "arm.joint, for no models are read here");
     nominal = read(file, end("base"), end("tip"));
   }
   read_stiffness(section, nominal);
   if (section.has("gravity")) nominal.arm.gravity = vector_or(section, "gravity", {});
-  if (section.has("base_xyz") || section.has("base_rpy")) nominal.arm.base = pose(section, "base_xyz", "base_rpy");
+  if (section.has("base_xyz") || section.has("base_rpy"))
+    nominal.arm.base = pose(section, "base_xyz", "base_rpy");
   return nominal;
 }
 
@@ -124,7 +129,8 @@ std::vector<MeasuredPoint> read_points(const Section& section, const NominalArm&
   for (const Section& one : section.tables("point")) {
     points.push_back({one.name("name", "a name"), on_body(one, nominal)});
     if (!names.insert(points.back().name).second)
-      throw Error(one.place("name"), "\"" + points.back().name + "\" again", "a name that no other point has");
+      throw Error(one.place("name"), "\"" + points.back().name + "\" again",
+                  "a name that no other point has");
   }
   if (points.empty()) points.push_back({"tip", {nominal.arm.size() - 1, nominal.arm.tip}});
   return points;
@@ -133,8 +139,8 @@ std::vector<MeasuredPoint> read_points(const Section& section, const NominalArm&
 }  // namespace
 
 ReadArmBench read_arm(const Section& section, const ReadArm& read) {
-  section.allow_only({"model", "base", "tip", "joint", "tip_xyz", "tip_rpy", "base_xyz", "base_rpy", "gravity",
-                      "joint_stiffness", "point", "load", "encoder"});
+  section.allow_only({"model", "base", "tip", "joint", "tip_xyz", "tip_rpy", "base_xyz", "base_rpy",
+                      "gravity", "joint_stiffness", "point", "load", "encoder"});
   ReadArmBench result{read_nominal_arm(section, read), {}};
   const NominalArm& nominal = result.arm;
   require_physical(nominal.arm);

@@ -13,7 +13,8 @@ namespace plumbline::diagnose {
 /// Reads an arm from the file of a model, of any format.
 /// \param base, tip  names of its ends; empty where experiment.toml names none
 /// \throws Error, one line, where the file holds no arm between them
-using ReadArm = std::function<NominalArm(const std::string& file, const std::string& base, const std::string& tip)>;
+using ReadArm =
+    std::function<NominalArm(const std::string& file, const std::string& base, const std::string& tip)>;
 
 struct ReadArmBench {
   NominalArm arm;
@@ -21,8 +22,8 @@ struct ReadArmBench {
   bool motor_side = false;  ///< the angles q are the motors': they are what is commanded
 };
 
-/// The arm by its joints, `[[arm.joint]]`, or from a file, `arm.model`; the points that are measured and where the
-/// load acts, both at the tip where nothing is said.
+/// The arm by its joints, `[[arm.joint]]`, or from a file, `arm.model`; the points that are measured and
+/// where the load acts, both at the tip where nothing is said.
 /// \throws Error that names file, line and key
 ReadArmBench read_arm(const Section& section, const ReadArm& read);
 

@@ -240,7 +240,8 @@ void count_from_first_reading(std::vector<Run>& runs) {
 }
 
 Unit unit_or_si(const Section& units, const char* key, const Quantity& quantity) {
-  return units.has(key) ? parse_unit(units.text(key, quantity.examples), quantity, units.place(key)) : si_unit(quantity);
+  return units.has(key) ? parse_unit(units.text(key, quantity.examples), quantity, units.place(key))
+                        : si_unit(quantity);
 }
 
 PoseFormat read_pose_format(const Section& root, bool motor_side) {
@@ -297,7 +298,8 @@ Experiment read_arm_settings(const Section& root, const Source& source) {
   for (const Section& section : root.tables("run")) {
     experiment.runs.push_back(read_poses_of(section, source, format, experiment));
     if (!ids.insert(experiment.runs.back().id).second)
-      throw Error(section.place("id"), "\"" + experiment.runs.back().id + "\" again", "an id that no other run has");
+      throw Error(section.place("id"), "\"" + experiment.runs.back().id + "\" again",
+                  "an id that no other run has");
   }
   count_from_first_reading(experiment.runs);
   return experiment;

@@ -36,8 +36,13 @@ const ColumnNames of_wrench{"Fx", "Fy", "Fz", "Mx", "My", "Mz"};
 
 class PoseReader {
  public:
-  PoseReader(const SampleTable& table, const std::string& source, const PoseFormat& format, const Experiment& experiment)
-      : table_(table), source_(source), format_(format), experiment_(experiment), joints_(experiment.arm->arm.size()) {
+  PoseReader(const SampleTable& table, const std::string& source, const PoseFormat& format,
+             const Experiment& experiment)
+      : table_(table),
+        source_(source),
+        format_(format),
+        experiment_(experiment),
+        joints_(experiment.arm->arm.size()) {
     for (std::size_t c = 0; c < table.header.size(); ++c)
       if (!place_.try_emplace(table.header[c], c).second)
         throw Error(header(), "two columns '" + files::shown(table.header[c]) + "'", "names that differ");
@@ -63,7 +68,8 @@ class PoseReader {
         throw Error(where(row) + ", " + commands_[j], "an empty field", "the commanded angle of every joint");
     if (angles_) one.q = coordinates(counted("q", joints_), row);
     if (torques_)
-      for (const std::string& name : counted("torque", joints_)) one.torque.push_back(in(format_.units.moment, name, row));
+      for (const std::string& name : counted("torque", joints_))
+        one.torque.push_back(in(format_.units.moment, name, row));
     add_points(row, one);
     add_load(row, one);
     return one;
@@ -84,7 +90,8 @@ class PoseReader {
     }
     constexpr double far = 0.5, near = 0.2;  // rad
     if (as_read.empty() || median(as_read) < far || median(other) > near) return;
-    throw Error(header(), "quaternions that agree with the arm where their first number is x and their last is w",
+    throw Error(header(),
+                "quaternions that agree with the arm where their first number is x and their last is w",
                 "columns named after what they hold: _qw, _qx, _qy, _qz");
   }
 
@@ -96,15 +103,17 @@ class PoseReader {
     return source_ + ":" + std::to_string(table_.rows[row].line);
   }
   [[nodiscard]] bool has_any(const ColumnNames& names) const {
-    return std::any_of(names.begin(), names.end(), [&](const std::string& one) { return place_.contains(one); });
+    return std::any_of(names.begin(), names.end(),
+                       [&](const std::string& one) { return place_.contains(one); });
   }
   /// \returns whether they are there
   bool require_all(const ColumnNames& names, bool needed) const {
     if (!needed && !has_any(names)) return false;
     for (const std::string& name : names)
       if (!place_.contains(name))
-        throw Error(header(), "no column '" + files::shown(name) + "'",
-                    fmt::format("columns '{}' to '{}'", files::shown(names.front()), files::shown(names.back())));
+        throw Error(
+            header(), "no column '" + files::shown(name) + "'",
+            fmt::format("columns '{}' to '{}'", files::shown(names.front()), files::shown(names.back())));
     return true;
   }
 
@@ -129,16 +138,19 @@ class PoseReader {
       add(suffixed(point.name + "_", {"x", "y", "z", "rx", "ry", "rz", "qw", "qx", "qy", "qz"}));
     for (const auto& [name, place] : place_)
       if (std::find(known.begin(), known.end(), name) == known.end())
-        throw Error(header(), "a column '" + files::shown(name) + "'",
-                    fmt::format("t, q_command1 to q_command{}, q1 …, torque1 …, a point's {}_x, _y, _z, _rx …, _qw …, "
-                                "Fx … Mz or weight; or columns.ignore = [\"{}\"]",
-                                joints_, experiment_.arm_bench.points.front().name, files::shown(name)));
+        throw Error(
+            header(), "a column '" + files::shown(name) + "'",
+            fmt::format(
+                "t, q_command1 to q_command{}, q1 …, torque1 …, a point's {}_x, _y, _z, _rx …, _qw …, "
+                "Fx … Mz or weight; or columns.ignore = [\"{}\"]",
+                joints_, experiment_.arm_bench.points.front().name, files::shown(name)));
   }
 
   [[nodiscard]] double number(const std::string& name, std::size_t row) const {
     const SampleFormat& csv = format_.csv;
     std::string text = table_.rows[row].fields[place_.at(name)];
-    if (text.empty() || std::find(csv.missing.begin(), csv.missing.end(), text) != csv.missing.end()) return no_value;
+    if (text.empty() || std::find(csv.missing.begin(), csv.missing.end(), text) != csv.missing.end())
+      return no_value;
     if (text.starts_with('+')) text.erase(0, 1);
     if (csv.decimal == ',') std::replace(text.begin(), text.end(), ',', '.');
     double value = 0;
@@ -170,13 +182,15 @@ class PoseReader {
     for (std::size_t i = 0; i < 4; ++i) q[i] = number(names[i], row), square += q[i] * q[i];
     constexpr double written_to = 0.01;
     if (std::abs(square - 1) > written_to)
-      throw Error(where(row) + ", " + files::shown(names.front()), fmt::format("a quaternion of length {:.4g}", std::sqrt(square)),
-                  "length 1");
+      throw Error(where(row) + ", " + files::shown(names.front()),
+                  fmt::format("a quaternion of length {:.4g}", std::sqrt(square)), "length 1");
     return q;
   }
 
   [[nodiscard]] Eigen::Matrix3d nominal_frame(std::size_t point, std::size_t row) const {
-    return nominal_pose(experiment_.arm->arm, experiment_.arm_bench.points[point].at, coordinates(commands_, row)).linear();
+    return nominal_pose(experiment_.arm->arm, experiment_.arm_bench.points[point].at,
+                        coordinates(commands_, row))
+        .linear();
   }
 
   static double angle_between(const Eigen::Matrix3d& told, const Eigen::Quaterniond& seen) {
@@ -193,7 +207,8 @@ class PoseReader {
     } else {
       Vector3<double> vector;
       const ColumnNames names = suffixed(experiment_.arm_bench.points[point].name + "_r", {"x", "y", "z"});
-      for (std::size_t i = 0; i < 3; ++i) vector(static_cast<Eigen::Index>(i)) = in(format_.units.angle, names[i], row);
+      for (std::size_t i = 0; i < 3; ++i)
+        vector(static_cast<Eigen::Index>(i)) = in(format_.units.angle, names[i], row);
       if (!vector.allFinite()) return Vector3<double>::Constant(no_value);
       seen = rotation_by(vector);
     }
@@ -203,8 +218,10 @@ class PoseReader {
   void add_points(std::size_t row, Reading& one) const {
     for (std::size_t p = 0; p < placed_.size(); ++p) {
       const std::string stem = experiment_.arm_bench.points[p].name + "_";
-      for (const char* axis : {"x", "y", "z"}) one.points.push_back(in(format_.units.place, stem + axis, row));
-      const Vector3<double> turn = turn_[p] == Turn::none ? Vector3<double>(no_value, no_value, no_value) : turned(p, row);
+      for (const char* axis : {"x", "y", "z"})
+        one.points.push_back(in(format_.units.place, stem + axis, row));
+      const Vector3<double> turn =
+          turn_[p] == Turn::none ? Vector3<double>(no_value, no_value, no_value) : turned(p, row);
       one.points.insert(one.points.end(), turn.begin(), turn.end());
     }
   }
@@ -216,7 +233,8 @@ class PoseReader {
     } else if (has_any(of_wrench)) {
       for (std::size_t i = 0; i < 6; ++i) {
         const bool there = place_.contains(of_wrench[i]);
-        one.wrench.push_back(there ? in(i < 3 ? format_.units.force : format_.units.moment, of_wrench[i], row) : 0);
+        one.wrench.push_back(there ? in(i < 3 ? format_.units.force : format_.units.moment, of_wrench[i], row)
+                                   : 0);
       }
     }
     for (const double component : one.wrench)

@@ -22,8 +22,8 @@ struct PoseFormat {
   bool motor_side;                   ///< q is what is commanded
 };
 
-/// Columns, by their names in the header: t; q_command1 …; q1 …; NAME_x, NAME_y, NAME_z of a point, NAME_rx … or
-/// NAME_qw, NAME_qx … of its orientation; Fx … Mz or weight at the load; torque1 ….
+/// Columns, by their names in the header: t; q_command1 …; q1 …; NAME_x, NAME_y, NAME_z of a point, NAME_rx …
+/// or NAME_qw, NAME_qx … of its orientation; Fx … Mz or weight at the load; torque1 ….
 /// \param experiment  with its arm and bench
 /// \throws Error that names the source and the line: a column of no meaning or of a point that there is not, one
 ///         without the others of its kind, a field that is no number, no command, a quaternion that is none

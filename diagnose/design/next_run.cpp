@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "diagnose/design/candidate_poses.hpp"
 #include "diagnose/design/candidate_runs.hpp"
 #include "diagnose/design/expected_information.hpp"
 #include "diagnose/design/separation.hpp"
@@ -52,6 +53,8 @@ std::vector<Channel> channels_of(const Run& run, const Noise& sigma, bool angles
        run.holds_end_point() ? std::array{Name::Fx, Name::Fy} : std::array{Name::x, Name::y})
     channels.push_back({name});
   for (std::size_t j = 0; angles && j < run.rest.size(); ++j) channels.push_back({Name::q, j});
+  for (const Channel& one : run.measured())
+    if (one.name >= Name::place && std::isfinite(one.of(run.readings.front()))) channels.push_back(one);
   std::erase_if(channels, [&](const Channel& one) { return !(one.sigma(sigma) > 0); });
   return channels;
 }
@@ -131,6 +134,10 @@ class Planner {
         expected_log_odds(hypotheses_.size(), [&](std::size_t a, std::size_t b) { return known(a, b); });
   }
 
+  void add_poses() {
+    for (const CandidateRun& one : candidate_poses(experiment_)) add(one.description, one.run);
+  }
+
   void add_runs_from(const Shape& shape) {
     for (const CandidateRun& one : runs_from(experiment_, shape, so_far_)) add(one.description, one.run);
   }
@@ -166,12 +173,12 @@ class Planner {
   void add(const std::string& what, const Run& run) {
     const bool weighs = experiment_.bench.plane != Bench::Plane::horizontal;
     for (const bool out_of_gravity : {false, true}) {
-      if (out_of_gravity && !weighs) continue;
+      if (out_of_gravity && (!weighs || experiment_.arm)) continue;
       const Study bench(bench_for(experiment_, run, out_of_gravity));
       const auto all = predictions(bench, hypotheses_, so_far_);
       if (!all) continue;
       for (const bool angles : {false, true}) {
-        if (reads_angles_ && !angles) continue;
+        if (experiment_.arm ? reads_angles_ != angles : reads_angles_ && !angles) continue;
         const std::vector<Forecast> hypotheses = forecasts(*all, run, angles);
         const Forecast nominal = forecasts({bench.nominal()}, run, angles).front();
         if (hypotheses.front().read.size() == 0) continue;
@@ -213,7 +220,9 @@ std::vector<Proposal> next_runs(const Study& study, const std::vector<Hypothesis
                                 const NoiseEstimate& noise, std::size_t count, Aim aim) {
   constexpr std::size_t most_shapes = 12;
   Planner planner(study, hypotheses, noise);
-  for (const Shape& shape : shapes(study.experiment(), most_shapes)) planner.add_runs_from(shape);
+  if (study.experiment().arm) planner.add_poses();
+  else
+    for (const Shape& shape : shapes(study.experiment(), most_shapes)) planner.add_runs_from(shape);
   return planner.best(count, aim);
 }
 

@@ -106,7 +106,15 @@ const Excitation& Study::excitation() const {
 }
 
 std::vector<ParameterRange> Study::ranges(const EffectAt& at) const {
-  return at.effect->parameters({scales_, index_of(at)});
+  std::vector<ParameterRange> all = at.effect->parameters({scales_, index_of(at)});
+  const bool slides =
+      at.joint > 0 && experiment_.arm && experiment_.arm->arm.links[at.joint - 1].kind == JointKind::prismatic;
+  for (ParameterRange& range : all) {
+    if (!slides) break;  // what turns by radians slides by metres
+    if (range.unit == "rad") range.unit = "m";
+    if (range.unit == "N m") range.unit = "N";
+  }
+  return all;
 }
 
 std::vector<ParameterRange> Study::ranges(const Candidate& candidate) const {

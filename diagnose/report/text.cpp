@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "diagnose/design/separation.hpp"
 #include "diagnose/report/law.hpp"
@@ -270,9 +271,21 @@ std::string answer(const Diagnosis& diagnosis) {
   return text + "\n" + few_values(diagnosis);
 }
 
+/// The names of the joints that the explanations have.
+std::string names_of_joints(const Diagnosis& diagnosis) {
+  std::set<std::size_t> named;
+  for (std::size_t i = 0; i < diagnosis.cause.named; ++i)
+    for (const EffectAt& at : diagnosis.cause.ranking[i].cause.effects)
+      if (at.joint > 0 && at.joint <= diagnosis.joints.size()) named.insert(at.joint);
+  std::vector<std::string> words;
+  for (const std::size_t joint : named)
+    words.push_back(fmt::format("joint {} is {}", joint, diagnosis.joints[joint - 1]));
+  return words.empty() ? "" : "  " + joined(words, ", ", ", ") + "\n";
+}
+
 /// The answer in a few lines, with what it rests on.
 std::string headline(const Diagnosis& diagnosis) {
-  std::string text = answer(diagnosis);
+  std::string text = answer(diagnosis) + names_of_joints(diagnosis);
   if (const auto& shrink = diagnosis.shrink; shrink && shrink->tested() && shrink->ratio < 1)
     text += fmt::format("  {} leaves {} of the held-out residual; noise alone {}\n", tested_model(diagnosis),
                         precise_percent(shrink->ratio), precise_percent(shrink->noise_floor_ratio));

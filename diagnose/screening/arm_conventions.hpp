@@ -16,8 +16,8 @@ struct SuspectedSlip {
   double as_read, left;    ///< rms distance from the nominal places, over the reach: now and then
 };
 
-/// The change that mends nearly all of a large misfit of the places; none where they are near, for a gap is no
-/// slip.
+/// The change that mends nearly all of a large misfit of the places; none where they are near, for a gap is
+/// no slip.
 std::optional<SuspectedSlip> suspected_slip(const Study& study);
 
 }  // namespace plumbline::diagnose

@@ -12,8 +12,8 @@
 
 #include "diagnose/bench/conversion.hpp"
 #include "diagnose/rig/nominal.hpp"
-#include "diagnose/screening/misfit.hpp"
 #include "diagnose/screening/arm_conventions.hpp"
+#include "diagnose/screening/misfit.hpp"
 #include "diagnose/screening/stuck_channel.hpp"
 
 namespace plumbline::diagnose {
@@ -352,11 +352,11 @@ namespace {
 void require_no_slip(const Study& study) {
   const std::optional<SuspectedSlip> doubt = suspected_slip(study);
   if (!doubt) return;
-  throw Error(study.experiment().name,
-              fmt::format("readings in which {} (the places are then off by {} of the reach, instead of {})",
-                          doubt->looks_like, percent(doubt->left), percent(doubt->as_read)),
-              "places near those of the nominal arm: if it is so, write " + doubt->remedy +
-                  "; if not, pass --as-is");
+  throw Error(
+      study.experiment().name,
+      fmt::format("readings in which {} (the places are then off by {} of the reach, instead of {})",
+                  doubt->looks_like, percent(doubt->left), percent(doubt->as_read)),
+      "places near those of the nominal arm: if it is so, write " + doubt->remedy + "; if not, pass --as-is");
 }
 
 }  // namespace

@@ -122,7 +122,9 @@ void require_noise(const Run& run, const Noise& noise) {
                                   [&](const Reading& r) { return !std::isnan(channel.of(r)); });
     if (!read || channel.sigma(noise) > 0) continue;
     const bool of_arm = channel.name >= Channel::Name::place;
-    const std::string name = of_arm ? noise_key(channel) : channel.sensor() == Sensor::angle ? "q" : channel.label();
+    const std::string name = of_arm                              ? noise_key(channel)
+                             : channel.sensor() == Sensor::angle ? "q"
+                                                                 : channel.label();
     throw Error("noise." + name, "0, or nothing", "a positive figure: run \"" + run.id + "\" measures it");
   }
 }
@@ -189,7 +191,8 @@ void require_turns(const Run& run) {
 void require_arm(const Experiment& experiment) {
   const NominalArm& nominal = *experiment.arm;
   if (nominal.arm.size() > most_arm_joints)
-    throw Error("arm", std::to_string(nominal.arm.size()) + " joints", std::to_string(most_arm_joints) + " at most");
+    throw Error("arm", std::to_string(nominal.arm.size()) + " joints",
+                std::to_string(most_arm_joints) + " at most");
   constexpr double most = 20;  // rad: three turns, and some
   for (const Run& run : experiment.runs)
     for (std::size_t r = 0; r < run.readings.size(); ++r)
@@ -216,14 +219,18 @@ void require_chain(const Experiment& experiment) {
 }  // namespace
 
 void require_bench(const Experiment& bench) {
-  if (bench.arm) throw Error("experiment \"" + bench.name + "\"", "an arm in space", "a chain in the plane: arms are not planned");
+  if (bench.arm)
+    throw Error("experiment \"" + bench.name + "\"", "an arm in space",
+                "a chain in the plane: arms are not planned");
   require_chain(bench);
   for (const Run& run : bench.runs) require_anything_measured(run, bench.noise);
 }
 
 void require_physical(const Experiment& experiment) {
-  if (experiment.arm) require_arm(experiment);
-  else require_chain(experiment);
+  if (experiment.arm)
+    require_arm(experiment);
+  else
+    require_chain(experiment);
   std::size_t values = 0;
   for (const Run& run : experiment.runs) {
     if (!experiment.arm) require_geometry(experiment, run, reach(experiment.link_length));

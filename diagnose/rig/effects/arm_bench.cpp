@@ -153,7 +153,8 @@ std::vector<Effect> trackers() {
        .parameters = displacement,
        .add =
            [](const Addition& to) {
-             for (OnLink<double>& point : to.rig.arm->points) point.frame.translation() += vector_of(to.value);
+             for (OnLink<double>& point : to.rig.arm->points)
+               point.frame.translation() += vector_of(to.value);
            },
        .possible = [](const Place& at) { return at.scales.measures(Channel::Name::place); }},
       {.id = "tool_turn",
