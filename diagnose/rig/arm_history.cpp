@@ -1,5 +1,6 @@
 #include "diagnose/rig/arm_history.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "diagnose/rig/arm_traveller.hpp"
@@ -16,10 +17,12 @@ Eigen::Index columns_of(const Experiment& experiment) {
 /// One run of a rig and of its variations; `beside` holds the differences from the rig.
 bool walk(const Experiment& experiment, const Run& run, const Rig& rig,
           const std::vector<const Rig*>& variations, Trace& trace, const std::vector<Trace*>& beside) {
-  ArmTraveller main(experiment, rig, run);
+  std::size_t sliders = contact_count(rig);
+  for (const Rig* one : variations) sliders = std::max(sliders, contact_count(*one));
+  ArmTraveller main(experiment, rig, run, sliders);
   std::vector<ArmTraveller> others;
   others.reserve(variations.size());
-  for (const Rig* one : variations) others.emplace_back(experiment, *one, run);
+  for (const Rig* one : variations) others.emplace_back(experiment, *one, run, sliders);
   Eigen::ArrayXd row = Eigen::ArrayXd::Constant(trace.cols(), std::numeric_limits<double>::quiet_NaN()),
                  other = row;
   for (std::size_t r = 0; r < run.readings.size(); ++r) {

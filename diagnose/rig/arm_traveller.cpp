@@ -12,18 +12,22 @@ constexpr double longest_step = 0.3;     // rad or m
 constexpr double accuracy = 4e-15;       // of coordinates of order one: the next step would be rounding
 constexpr double smallest_slope = 1e-3;  // of a joint within its play, over its stiffness
 
+Vector<double> column(const std::vector<double>& values) {
+  return Eigen::Map<const Vector<double>>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
 bool yields_by_law(const Rig& rig, std::size_t joint) {
   return rig.stiffness[joint] > 0;
 }
 
 }  // namespace
 
-ArmTraveller::ArmTraveller(const Experiment& experiment, const Rig& own, const Run& run)
+ArmTraveller::ArmTraveller(const Experiment& experiment, const Rig& own, const Run& run, std::size_t sliders)
     : experiment_(&experiment),
       on_(own, run.rest),
       arm_(on_.rig.arm->arm),
       compliance_(compliance(arm_)),
-      sliders_(contact_count(on_.rig)),
+      sliders_(sliders),
       contact_(arm_.size() * sliders_, Contact::sticks),
       memory_(arm_.size()),
       command_(run.rest),
@@ -45,33 +49,35 @@ void ArmTraveller::head_for(const Reading& reading) {
   for (std::size_t i = 0; i < rest.size(); ++i) {
     if (moved_ && rest[i] != command_[i]) way_[i] = rest[i] > command_[i] ? 1 : -1;
     rest[i] += rig.encoder_error(i, rest[i]);
-  }
-  command_ = reading.rest;
-  const std::vector<JointLaw> before = on_.joint;
-  on_.turn_to(rest);
-  for (std::size_t i = 0; i < rest.size(); ++i) {
     if (moved_)
-      memory_[i].led = on_.joint[i].rest - before[i].rest;
+      memory_[i].led = rest[i] - rest_[i];
     else
       memory_[i].angle = rest[i];
   }
-  target_ = commanded<double>(
-      arm_, Eigen::Map<const Vector<double>>(rest.data(), static_cast<Eigen::Index>(rest.size())));
+  command_ = reading.rest;
+  rest_ = rest;
+  on_.turn_to(rest);
+  target_ = commanded(arm_, column(rest));
   wrenches_.clear();
   if (!reading.wrench.empty()) {
-    const Vector6<double> shown = Eigen::Map<const Vector6<double>>(reading.wrench.data());
-    const Vector6<double> wrench = (shown - rig.wrench_bias) / (1 + rig.wrench_scale);
+    const Vector6<double> wrench =
+        (Eigen::Map<const Vector6<double>>(reading.wrench.data()) - rig.wrench_bias) / (1 + rig.wrench_scale);
     wrenches_.push_back({rig.load, wrench.head<3>(), wrench.tail<3>()});
   }
+  hold_weight();
+}
+
+/// The servos know the nominal weight of the arm as it is commanded.
+void ArmTraveller::hold_weight() {
   held_.setZero(target_.size());
-  if (rig.compensated == 0) return;
+  const double share = on_.rig.arm->compensated;
+  if (share == 0) return;
   const SerialArm<double>& nominal = experiment_->arm->arm;
-  const Vector<double> q =
-      Eigen::Map<const Vector<double>>(command_.data(), static_cast<Eigen::Index>(command_.size()));
-  const ArmLoads<double> weight = arm_loads(nominal, ArmPosture<double>(nominal, commanded(nominal, q)), {});
+  const ArmLoads<double> weight =
+      arm_loads(nominal, ArmPosture<double>(nominal, commanded(nominal, column(command_))), {});
   Eigen::Index next = 0;
   for (std::size_t i = 0; i < joint_.size(); ++i) {
-    held_(joint_[i]) = rig.compensated * weight.force(next);
+    held_(joint_[i]) = share * weight.force(next);
     next += yields(nominal.links[i]) ? 7 : 1;
   }
 }
@@ -123,8 +129,13 @@ bool ArmTraveller::settle_contacts(bool all) {
   for (std::size_t i = 0; sliders_ > 0 && i < joint_.size(); ++i) {
     const JointLaw& law = on_.joint[i];
     for (std::size_t s = 0; s < law.slider.size(); ++s) {
-      if (!law.slider[s].acts() || (interval_.relaxed && !law.slider[s].from_rest)) continue;
+      if (interval_.relaxed && !law.slider[s].from_rest) continue;
       Contact& contact = contact_[i * sliders_ + s];
+      if (!law.slider[s].acts()) {
+        // The slider carries nothing; the direction of vanishing friction opposes the motion.
+        contact = coordinate_(joint_[i]) < memory_[i].angle ? Contact::slips_down : Contact::slips_up;
+        continue;
+      }
       const Contact next =
           law.next(law.slider[s], memory_[i].slider[s], coordinate_(joint_[i]), memory_[i], contact);
       if (next == contact) continue;
@@ -148,11 +159,15 @@ void ArmTraveller::start() {
 }
 
 bool ArmTraveller::come_to_rest(bool contacts_hold) {
+  double last = longest_step;
   for (int i = 0; i < newton_limit; ++i) {
     const double length = newton_step();
     if (!std::isfinite(length)) return false;
     const bool settled = contacts_hold || !settle_contacts(i < joint_changes);
-    if (settled && length <= accuracy * (1 + coordinate_.lpNorm<Eigen::Infinity>())) return true;
+    const bool rounding = length < 1e-11 && length >= last;
+    if (settled && (rounding || length <= accuracy * (1 + coordinate_.lpNorm<Eigen::Infinity>())))
+      return true;
+    last = length;
     if (settled && length < 1e-7 && contacts_hold) return newton_step(), true;  // its square is rounding
   }
   return false;
@@ -181,7 +196,9 @@ bool ArmTraveller::settle() {
 bool ArmTraveller::settle_beside(const ArmTraveller& other) {
   arm_.base = on_.rig.arm->arm.base;
   contact_ = other.contact_;
-  coordinate_ = target_ + (other.coordinate_ - other.target_);
+  coordinate_ = target_;
+  for (std::size_t i = 0; i < joint_.size(); ++i)  // links that yield may be others
+    coordinate_(joint_[i]) += other.coordinate_(other.joint_[i]) - other.target_(other.joint_[i]);
   if (!come_to_rest(true)) return false;
   for (int i = 0; i < 2 && !on_.rig.arm->mount_compliance.isZero(0); ++i) {
     yield_at_base();

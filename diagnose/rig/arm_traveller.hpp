@@ -13,8 +13,9 @@ namespace plumbline::diagnose {
 
 class ArmTraveller {
  public:
-  /// \param own  the rig in this run
-  ArmTraveller(const Experiment& experiment, const Rig& own, const Run& run);
+  /// \param own      the rig in this run
+  /// \param sliders  of each joint: as many as any rig beside it has
+  ArmTraveller(const Experiment& experiment, const Rig& own, const Run& run, std::size_t sliders);
 
   /// Commands the joints and loads the arm as a reading says.
   void head_for(const Reading& reading);
@@ -29,6 +30,7 @@ class ArmTraveller {
   void write(const Reading& reading, Eigen::Ref<Eigen::ArrayXd> row) const;
 
  private:
+  void hold_weight();
   /// Loads at a posture: of gravity, wrenches and balances, less what the servos hold.
   [[nodiscard]] ArmLoads<double> loads(const ArmPosture<double>& posture) const;
   /// Residual of all freedoms in their coordinates, and its derivatives.
@@ -60,6 +62,7 @@ class ArmTraveller {
   Vector<double> held_;  ///< generalised forces that the servos hold
   std::vector<ArmWrench<double>> wrenches_;
   std::vector<double> command_, way_;  ///< of the joints; 1 or -1, 0 before the first motion
+  std::vector<double> rest_;           ///< where the joints stood if nothing yielded
   double time_ = 0;
   bool moved_ = false;
 };
