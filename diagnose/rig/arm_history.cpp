@@ -30,6 +30,7 @@ bool walk(const Experiment& experiment, const Run& run, const Rig& rig,
     const Reading& reading = run.readings[r];
     main.head_for(reading);
     if (!main.settle()) return false;
+    if (!others.empty()) main.prepare();
     main.write(reading, row);
     trace.row(at) = row.transpose();
     for (std::size_t p = 0; p < others.size(); ++p) {

@@ -114,10 +114,9 @@ void ArmTraveller::balance(const ArmLoads<double>& at, Vector<double>& residual,
 }
 
 double ArmTraveller::newton_step() {
-  Vector<double> residual;
-  Matrix<double> slope;
-  balance(loads(ArmPosture<double>(arm_, coordinate_)), residual, slope);
-  Vector<double> by = slope.partialPivLu().solve(residual);
+  balance(loads(ArmPosture<double>(arm_, coordinate_)), residual_, slope_);
+  tangent_.compute(slope_);
+  Vector<double> by = tangent_.solve(residual_);
   const double length = by.lpNorm<Eigen::Infinity>();
   if (length > longest_step) by *= longest_step / length;
   coordinate_ -= by;
@@ -181,30 +180,42 @@ void ArmTraveller::yield_at_base() {
   arm_.base = still * rotation_by(Vector3<double>(soft.x() * moment.x(), soft.y() * moment.y(), 0));
 }
 
-bool ArmTraveller::settle() {
-  arm_.base = on_.rig.arm->arm.base;
-  start();
-  if (!come_to_rest(false)) return false;
+bool ArmTraveller::come_to_rest_on_mount(bool contacts_hold) {
+  if (!come_to_rest(contacts_hold)) return false;
   // The turn of the mount changes the moment on it by its own size, which is small, and that squared is left.
   for (int i = 0; i < 2 && !on_.rig.arm->mount_compliance.isZero(0); ++i) {
     yield_at_base();
-    if (!come_to_rest(false)) return false;
+    if (!come_to_rest(contacts_hold)) return false;
   }
   return true;
+}
+
+bool ArmTraveller::settle() {
+  arm_.base = on_.rig.arm->arm.base;
+  start();
+  return come_to_rest_on_mount(false);
+}
+
+void ArmTraveller::prepare() {
+  balance(loads(ArmPosture<double>(arm_, coordinate_)), residual_, slope_);
+  tangent_.compute(slope_);
 }
 
 bool ArmTraveller::settle_beside(const ArmTraveller& other) {
   arm_.base = on_.rig.arm->arm.base;
   contact_ = other.contact_;
-  coordinate_ = target_;
-  for (std::size_t i = 0; i < joint_.size(); ++i)  // links that yield may be others
-    coordinate_(joint_[i]) += other.coordinate_(other.joint_[i]) - other.target_(other.joint_[i]);
-  if (!come_to_rest(true)) return false;
-  for (int i = 0; i < 2 && !on_.rig.arm->mount_compliance.isZero(0); ++i) {
-    yield_at_base();
-    if (!come_to_rest(true)) return false;
+  if (target_.size() != other.target_.size() || !on_.rig.arm->mount_compliance.isZero(0)) {
+    coordinate_ = target_;
+    for (std::size_t i = 0; i < joint_.size(); ++i)
+      coordinate_(joint_[i]) += other.coordinate_(other.joint_[i]) - other.target_(other.joint_[i]);
+    return come_to_rest_on_mount(true);
   }
-  return true;
+  // In this order, and less what rounding leaves there, an arm that does not differ is the same to the last
+  // bit.
+  coordinate_ = other.coordinate_ + (target_ - other.target_);
+  balance(loads(ArmPosture<double>(arm_, coordinate_)), residual_, slope_);
+  coordinate_ -= other.tangent_.solve(residual_ - other.residual_);
+  return coordinate_.allFinite();
 }
 
 void ArmTraveller::remember() {
@@ -229,14 +240,15 @@ void ArmTraveller::write(const Reading& reading, Eigen::Ref<Eigen::ArrayXd> row)
   }
   for (std::size_t p = 0; p < rig.points.size() && !reading.points.empty(); ++p) {
     const Pose<double> seen = rig.tracker.inverse() * posture.of(rig.points[p]);
+    const Vector3<double> place = (1 + rig.tracker_scale) * seen.translation();
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      row(column_of({Channel::Name::place, 3 * p + axis})) = place(static_cast<Eigen::Index>(axis));
+    if (std::isnan(reading.points[6 * p + 3])) continue;  // no orientation is read
     const Pose<double> told =
         nominal_pose(experiment_->arm->arm, experiment_->arm_bench.points[p].at, command_);
-    const Vector3<double> place = (1 + rig.tracker_scale) * seen.translation(),
-                          turn = rotation_vector<double>(told.linear().transpose() * seen.linear());
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      row(column_of({Channel::Name::place, 3 * p + axis})) = place(static_cast<Eigen::Index>(axis));
+    const Vector3<double> turn = rotation_vector<double>(told.linear().transpose() * seen.linear());
+    for (std::size_t axis = 0; axis < 3; ++axis)
       row(column_of({Channel::Name::turn, 3 * p + axis})) = turn(static_cast<Eigen::Index>(axis));
-    }
   }
   if (reading.torque.empty()) return;
   const ArmLoads<double> at = loads(posture);

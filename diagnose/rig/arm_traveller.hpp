@@ -22,7 +22,10 @@ class ArmTraveller {
   /// Comes to rest there: Newton's method, with contacts of the joints that settle on the way.
   /// \returns false where there is no rest near the command
   bool settle();
-  /// The same beside an arm that differs little and has come to rest: its contacts hold.
+  /// Prepares settle_beside() of others.
+  void prepare();
+  /// The same beside an arm that differs little and has come to rest: its contacts hold, and a chord step by
+  /// its tangent leads there.
   bool settle_beside(const ArmTraveller& other);
   /// Keeps the joints in mind as they are.
   void remember();
@@ -40,6 +43,7 @@ class ArmTraveller {
   /// The same for an arm on a mount that yields.
   void yield_at_base();
   bool come_to_rest(bool contacts_hold);
+  bool come_to_rest_on_mount(bool contacts_hold);
   bool settle_contacts(bool all);
   void start();
   [[nodiscard]] RigStep step() const { return {on_, interval_, memory_}; }
@@ -61,6 +65,9 @@ class ArmTraveller {
   Vector<double> coordinate_;
   Vector<double> held_;  ///< generalised forces that the servos hold
   std::vector<ArmWrench<double>> wrenches_;
+  Vector<double> residual_;  ///< of the last step, with its derivatives
+  Matrix<double> slope_;
+  Eigen::PartialPivLU<Matrix<double>> tangent_;
   std::vector<double> command_, way_;  ///< of the joints; 1 or -1, 0 before the first motion
   std::vector<double> rest_;           ///< where the joints stood if nothing yielded
   double time_ = 0;
