@@ -7,6 +7,7 @@
 #include <map>
 
 #include "diagnose/bench/median.hpp"
+#include "diagnose/bench/thin_poses.hpp"
 
 namespace plumbline::diagnose {
 namespace {
@@ -237,6 +238,7 @@ class Decimator {
 Experiment decimated(Experiment experiment) {
   std::size_t total = 0;
   for (const Run& run : experiment.runs) total += run.readings.size();
+  if (experiment.arm) return thinned(std::move(experiment));  // neighbouring poses have no median
   if (total <= short_enough) return experiment;
   std::map<Control, double> farthest;
   for (const Run& run : experiment.runs) farthest[run.control] = std::max(farthest[run.control], extent(run));

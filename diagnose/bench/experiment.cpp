@@ -114,6 +114,11 @@ std::vector<Channel> Run::measured() const {
   std::vector<Channel> channels = answering();
   for (std::size_t j = 0; !readings.empty() && j < readings.front().q.size(); ++j)
     channels.push_back({Name::q, j});
+  if (readings.empty()) return channels;
+  const Reading& first = readings.front();
+  for (std::size_t i = 0; i < first.points.size(); ++i)
+    channels.push_back({i % 6 < 3 ? Name::place : Name::turn, 3 * (i / 6) + i % 3});
+  for (std::size_t j = 0; j < first.torque.size(); ++j) channels.push_back({Name::drive, j});
   return channels;
 }
 

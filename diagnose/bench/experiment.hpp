@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <optional>
+#include <plumbline/arm/arm_kinematics.hpp>
 #include <plumbline/loaded/control.hpp>
 #include <string>
 #include <vector>
@@ -26,6 +27,11 @@ struct Reading {
   std::vector<double> rest =
       {};  ///< joint angles commanded at this reading; empty where those of the run hold
   std::vector<double> covariates = {};  ///< values of Experiment::covariates, in the units of the table
+  /// Of an arm in space, else empty. Six numbers for each of its points: place, and rotation vector in the
+  /// frame of the tracker.
+  std::vector<double> points = {};
+  std::vector<double> wrench = {};  ///< on the arm, in the axes of the world: force, N, and moment, N m
+  std::vector<double> torque = {};  ///< of the drives, N m or N
 };
 
 /// The command between two readings, or beyond them, by linear interpolation; nothing is measured there.
@@ -123,6 +129,7 @@ struct Run {
 /// Declared standard deviation of one reading; 0 for a channel that has none.
 struct Noise {
   double x, y, Fx, Fy, q;
+  double place = 0, turn = 0, torque = 0;  ///< of an arm's points, m and rad, and of its drives
 };
 
 /// The known properties of the bench, whether or not the nominal model uses them.
@@ -138,6 +145,18 @@ struct Bench {
   }
 };
 
+/// A frame of an arm whose place, or pose, is measured.
+struct MeasuredPoint {
+  std::string name;
+  OnLink<double> at;
+};
+
+/// The bench of an arm in space.
+struct ArmBench {
+  std::vector<MeasuredPoint> points;
+  OnLink<double> load{0};  ///< where the wrench acts
+};
+
 /// The nominal model, the bench and the runs.
 struct Experiment : NominalChain {
   std::string name;
@@ -148,6 +167,8 @@ struct Experiment : NominalChain {
   std::size_t run_count = 0;
   std::vector<Origin> origins = {};          ///< of link_length, joint_stiffness, link_mass, gravity and rest
   std::vector<std::string> covariates = {};  ///< names of quantities noted at each reading: "temperature"
+  std::vector<Origin> origins = {};          ///< of link_length, joint_stiffness, link_mass, gravity and rest
+  ArmBench arm_bench = {};                   ///< of an arm in space
 };
 
 }  // namespace plumbline::diagnose

@@ -7,17 +7,20 @@
 #include <string>
 
 #include "diagnose/bench/experiment.hpp"
+#include "diagnose/bench/read_arm.hpp"
 #include "diagnose/bench/sample_columns.hpp"
 
 namespace plumbline::diagnose {
 
 /// Reads format "chain-experiment/1".
 /// \param model  replaces the table [nominal], which may then be absent
+/// \param arm    reads the model's file that a table [arm] names
 /// \throws Error, one line with the file, the line or key, what was found and what was expected: a missing
 ///         file or key, an unknown key or format, a wrong type or length, a field that is not a finite
 ///         number, a negative length or stiffness, a repeated run id, a sample file outside the folder,
 ///         readings that the chain cannot reach, or too few of them to judge anything
-Experiment read_experiment(const std::filesystem::path& folder, const NominalChain* model = nullptr);
+Experiment read_experiment(const std::filesystem::path& folder, const NominalChain* model = nullptr,
+                           const ReadArm& arm = {});
 
 /// The samples of a run, in one part or several.
 /// \param run     its table: the key `samples` says which samples

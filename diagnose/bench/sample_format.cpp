@@ -254,4 +254,11 @@ SampleFormat read_sample_format(const Section& section, SampleFormat format) {
   return format;
 }
 
+SampleFormat read_csv_format(const Section& section) {
+  SampleFormat format;
+  if (section.has("csv")) read_csv(section.table("csv"), format);
+  if (!format.header) section.table("csv").refuse("header", "true: columns are told by their names");
+  return format;
+}
+
 }  // namespace plumbline::diagnose

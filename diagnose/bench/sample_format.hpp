@@ -66,4 +66,8 @@ SampleFormat standard_format(std::size_t joints, Alone alone = Alone::no);
 /// \throws Error that names file, line and key
 SampleFormat read_sample_format(const Section& section, SampleFormat format);
 
+/// The table [csv] of a section alone, for files whose columns are told by their names.
+/// \throws Error likewise
+SampleFormat read_csv_format(const Section& section);
+
 }  // namespace plumbline::diagnose

@@ -32,7 +32,7 @@ class SdfTree {
   /// The version, 1.7 as 7.
   [[nodiscard]] int version() const { return version_; }
   /// The model in its world.
-  [[nodiscard]] Eigen::Matrix3d turn() const { return turn_; }
+  [[nodiscard]] const Eigen::Isometry3d& placed() const { return placed_; }
 
   /// Where a part is in the frame of the model. \throws Error where it is not there, or said in a circle
   [[nodiscard]] Eigen::Isometry3d pose(const std::string& name) const;
@@ -54,7 +54,7 @@ class SdfTree {
 
   std::string file_;
   int version_ = 0;
-  Eigen::Matrix3d turn_ = Eigen::Matrix3d::Identity();
+  Eigen::Isometry3d placed_ = Eigen::Isometry3d::Identity();
   std::map<std::string, Part> parts_;
   std::map<std::string, std::string> holders_;
   mutable std::map<std::string, Eigen::Isometry3d> poses_;  ///< those that were asked for

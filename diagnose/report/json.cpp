@@ -222,6 +222,7 @@ Json as_json(const Diagnosis& diagnosis) {
                  {"shrink", diagnosis.shrink ? shrink(diagnosis) : Json(nullptr)},
                  {"next", next(diagnosis.proposals)}};
   if (diagnosis.law) report["law"] = law_as_json(*diagnosis.law);
+  if (!diagnosis.joints.empty()) report["joint_names"] = diagnosis.joints;
   return report;
 }
 

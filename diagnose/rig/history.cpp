@@ -9,6 +9,7 @@
 #include <optional>
 #include <plumbline/chain/kinematics.hpp>
 
+#include "diagnose/rig/arm_history.hpp"
 #include "diagnose/rig/rig_solver.hpp"
 #include "diagnose/rig/substeps.hpp"
 
@@ -83,17 +84,6 @@ struct Traveller {
     return lagging(read, dt).cwiseMin(rig.force_limit).cwiseMax(-rig.force_limit);
   }
 
-  [[nodiscard]] TimeStep interval(double dt) const {
-    TimeStep result;
-    result.relaxed = false;
-    for (std::size_t a = 0; a < on.arm_time.size() && dt > 0; ++a) {
-      const double ratio = dt / on.arm_time[a];
-      result.decay.at(a) = std::exp(-ratio);
-      result.gain.at(a) = -std::expm1(-ratio) / ratio;
-    }
-    return result;
-  }
-
   /// Sets the expected joint speeds from those of the last step.
   /// \param share  length of the next step of the command over that of the last
   void expect(double share, double dt) {
@@ -102,23 +92,9 @@ struct Traveller {
 
   void remember(const Layout& layout, const TimeStep& during) {
     for (std::size_t i = 0; i < memory.size(); ++i) {
-      const JointLaw& law = on.joint[i];
-      const double q = layout.joint_angle(posture.angle, i);
-      JointMemory& own = memory[i];
-      // Sliders and arms use the previous angle, which is overwritten last.
-      for (std::size_t s = 0; s < law.slider.size(); ++s)
-        if (law.slider[s].acts() && (law.slider[s].from_rest || !during.relaxed))
-          own.slider.at(s) =
-              law.along(law.slider[s], own.slider[s], q, own, posture.contact[layout.contact(i, s)]).value;
-      if (!during.relaxed)
-        for (std::size_t a = 0; a < on.arm_time.size(); ++a)
-          own.arm[a] = law.viscous(a, q, own, during.decay[a], during.gain[a]).value;
-      law.flow_to(q, own);
-      // The approach to the first reading has no known speed.
-      own.turn = std::abs(during.relaxed ? q : q - own.angle);
-      own.angle = q;
-      own.led = 0;
-      rest_then_[i] = law.rest;
+      const Contact* const contact = posture.contact.data() + layout.contact(i, 0);
+      diagnose::remember(on, during, i, layout.joint_angle(posture.angle, i), contact, memory[i]);
+      rest_then_[i] = on.joint[i].rest;
     }
   }
 
@@ -318,7 +294,7 @@ class RunWalk {
     const auto step_of = [&](Traveller& rig) {
       if (!reading.rest.empty()) rig.turn_to(reading.rest);
       rig.expect(share, dt);
-      RigStep step{rig.on, moved_ ? rig.interval(dt) : TimeStep{}, rig.memory};
+      RigStep step{rig.on, moved_ ? time_step(rig.on, dt) : TimeStep{}, rig.memory};
       step.interval.end = reading.t;
       step.interval.covariates = reading.covariates;
       return step;
@@ -430,17 +406,6 @@ bool walk(const Experiment& experiment, const Run& run, const Layout& layout, co
   }
 }
 
-/// Number of sliders of each joint, with dry friction and the direction of motion.
-std::size_t contact_count(const Rig& rig) {
-  const bool directed =
-      std::any_of(rig.stated_torques.begin(), rig.stated_torques.end(), std::mem_fn(&StatedTorque::directed));
-  std::size_t most = 0;
-  for (std::size_t i = 0; i < rig.length.size(); ++i) most = std::max(most, slider_count(rig, i));
-  const bool dry = rig.friction_law.growth > 0 || std::any_of(rig.friction.begin(), rig.friction.end(),
-                                                              [](double torque) { return torque > 0; });
-  return (most > 0 || dry || directed ? 1 + most : 0) + (directed ? 1 : 0);
-}
-
 Layout layout_of(const Rig& rig, const std::vector<RigVariation>& variations) {
   Layout layout{rig.length.size(), rig.flexibility > 0, rig.coupling != 0, contact_count(rig)};
   for (const RigVariation& other : variations) {
@@ -467,6 +432,7 @@ std::vector<double> reading_values(const Eigen::Ref<const Eigen::ArrayXd>& row, 
 
 Prediction simulate(const Experiment& experiment, const Rig& rig,
                     const std::vector<RigVariation>& variations) {
+  if (experiment.arm) return simulate_arm(experiment, rig, variations);
   const Layout layout = layout_of(rig, variations);
   Prediction result;
   for (const Run& run : experiment.runs) {
