@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <plumbline/base/error.hpp>
 #include <set>
+#include <utility>
 
 #include "diagnose/exchange/planar_chain.hpp"
 #include "support/files/printable.hpp"
