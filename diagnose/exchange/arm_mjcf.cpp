@@ -19,7 +19,7 @@ std::string in_words(const Vector3d& v) {
 }
 
 /// In place of whatever way the file had to say it.
-void place(xml_node element, const Isometry3d& at) {
+void place_anew(xml_node element, const Isometry3d& at) {
   for (const char* other : {"euler", "axisangle", "xyaxes", "zaxis"}) element.remove_attribute(other);
   const Eigen::Quaterniond turn(at.linear());
   set(element, "pos", in_words(at.translation()));
@@ -53,7 +53,7 @@ class MjcfArm : public ArmDocument {
     const Isometry3d &before = joint > 0 ? frames_[joint - 1] : path_.base().at,
                      held = before.inverse() * own_body(joint).held,
                      in_link = frames_[joint].inverse() * own_body(joint).at;
-    place(own_body(joint).element, held.inverse() * frame * moved_by(joint) * in_link);
+    place_anew(own_body(joint).element, held.inverse() * frame * moved_by(joint) * in_link);
     set(own(joint).element, "axis", in_words(axis));
     return {true, "as the pose of the body and the axis of the joint"};
   }
@@ -63,14 +63,14 @@ class MjcfArm : public ArmDocument {
       const MjcfSite& site = *std::find_if(scene_.sites.begin(), scene_.sites.end(),
                                            [&](const MjcfSite& one) { return one.name == path_.tip().name; });
       if (scene_.defaults.attribute(site.element, "fromto")) return {false, "a site that is given by fromto"};
-      place(site.element, (frames_.back().inverse() * site.held).inverse() * tip);
+      place_anew(site.element, (frames_.back().inverse() * site.held).inverse() * tip);
       return {true, "as the pose of the site " + site.name};
     }
     const MjcfBody& body = tip_body();
     if (!body.joints.empty())
       return {false, "the tip is the body that the last joint moves: a site at the tip"};
     moved_ = frames_.back() * tip * body.at.inverse();
-    place(body.element, (frames_.back().inverse() * body.held).inverse() * tip);
+    place_anew(body.element, (frames_.back().inverse() * body.held).inverse() * tip);
     return {true, "as the pose of the body " + body.name};
   }
 
