@@ -70,6 +70,19 @@ std::string column_line(const Experiment& experiment, const Run& run, std::size_
   return line + fmt::format(", noise {:.3g} {}\n", noise_of(experiment.noise, column), si_unit(origin.what));
 }
 
+/// "temperature  T, 20.1 to 24.3, 55 of 60 readings interpolated".
+std::string covariate_line(const Run& run, std::size_t covariate, const Origin& origin) {
+  double least = INFINITY, most = -INFINITY;
+  for (const diagnose::Reading& reading : run.readings) {
+    least = std::min(least, reading.covariates[covariate]);
+    most = std::max(most, reading.covariates[covariate]);
+  }
+  std::string line = fmt::format("    {} {:<22} {:.4g} to {:.4g}", origin.what, origin.source, least, most);
+  if (const std::size_t count = run.interpolated[covariate]; count > 0)
+    line += fmt::format(", {} of {} readings interpolated in time", count, run.readings.size());
+  return line + "\n";
+}
+
 std::string nominal_lines(const Experiment& experiment) {
   const auto unit = [&](const std::string& key) {
     const auto one = std::find_if(experiment.origins.begin(), experiment.origins.end(),
@@ -102,7 +115,11 @@ std::string what_was_read(const Experiment& experiment) {
     if (!run.commands_joints())
       text += fmt::format("    rest {:.4g} {}\n", fmt::join(run.rest, ", "),
                           run.alone == diagnose::Alone::slides ? "m" : "rad");
-    for (std::size_t c = 0; c < run.origins.size(); ++c) {
+    if (!run.continued_by.empty())
+      text += fmt::format("    {} goes on where it ends, in time and command: read as one run\n",
+                          fmt::join(run.continued_by, ", "));
+    const std::size_t channels = run.origins.size() - experiment.covariates.size();
+    for (std::size_t c = 0; c < channels; ++c) {
       const std::string& what = run.origins[c].what;
       const bool there = what.starts_with("q_command")      ? run.commands_joints()
                          : what[0] == 'q'                   ? !run.readings.front().q.empty()
@@ -110,6 +127,8 @@ std::string what_was_read(const Experiment& experiment) {
                                                             : true;
       if (there) text += column_line(experiment, run, c);
     }
+    for (std::size_t c = channels; c < run.origins.size(); ++c)
+      text += covariate_line(run, c - channels, run.origins[c]);
   }
   return text;
 }

@@ -19,6 +19,10 @@ std::string example_file(const std::string& name, const std::string&) {
   return files.at(name);
 }
 
+diagnose::NominalArm arm_of(const std::string& file, const std::string& base, const std::string& tip) {
+  return exchange::read_arm(file, {base, tip}).nominal;
+}
+
 constexpr const char* example_folder = "docs/examples/experiment";
 
 std::optional<diagnose::NominalChain> model_of(const ExperimentInput& input) {
@@ -38,7 +42,7 @@ diagnose::Experiment experiment_of(const ExperimentInput& input) {
   const std::optional<diagnose::NominalChain> model = model_of(input);
   const diagnose::NominalChain* const nominal = model ? &*model : nullptr;
   return input.folder.empty() ? diagnose::read_experiment(example_folder, example_file, nominal)
-                              : diagnose::read_experiment(input.folder, nominal);
+                              : diagnose::read_experiment(input.folder, nominal, arm_of);
 }
 
 diagnose::Experiment bench_of(const ExperimentInput& input) {
@@ -49,9 +53,10 @@ diagnose::Experiment bench_of(const ExperimentInput& input) {
 }
 
 diagnose::Study study_of(const ExperimentInput& input, const diagnose::Experiment& experiment) {
-  return diagnose::study_with(decimated(experiment), input.effects.empty()
-                                                         ? std::vector<diagnose::StatedEffect>{}
-                                                         : diagnose::read_effects(input.effects));
+  return diagnose::study_with(decimated(experiment),
+                              input.effects.empty()
+                                  ? std::vector<diagnose::StatedEffect>{}
+                                  : diagnose::read_effects(input.effects, experiment.covariates));
 }
 
 }  // namespace plumbline::app

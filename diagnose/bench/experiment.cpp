@@ -32,8 +32,10 @@ Reading between(const Reading& from, const Reading& to, double share) {
   const auto at = [share](double a, double b) { return a + share * (b - a); };
   Reading one{at(from.t, to.t),   at(from.x, to.x),   at(from.y, to.y),
               at(from.Fx, to.Fx), at(from.Fy, to.Fy), {},
-              from.rest};
+              from.rest,          from.covariates};
   for (std::size_t i = 0; i < one.rest.size(); ++i) one.rest[i] = at(from.rest[i], to.rest[i]);
+  for (std::size_t i = 0; i < one.covariates.size(); ++i)
+    one.covariates[i] = at(from.covariates[i], to.covariates[i]);
   return one;
 }
 
@@ -112,6 +114,11 @@ std::vector<Channel> Run::measured() const {
   std::vector<Channel> channels = answering();
   for (std::size_t j = 0; !readings.empty() && j < readings.front().q.size(); ++j)
     channels.push_back({Name::q, j});
+  if (readings.empty()) return channels;
+  const Reading& first = readings.front();
+  for (std::size_t i = 0; i < first.points.size(); ++i)
+    channels.push_back({i % 6 < 3 ? Name::place : Name::turn, 3 * (i / 6) + i % 3});
+  for (std::size_t j = 0; j < first.torque.size(); ++j) channels.push_back({Name::drive, j});
   return channels;
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "diagnose/bench/free_law.hpp"
+#include "diagnose/bench/nominal_arm.hpp"
 
 namespace plumbline::diagnose {
 
@@ -40,6 +41,9 @@ struct NominalChain {
   std::vector<FreeLaw> laws = {};  ///< what its joints carry besides, where no effect says why
   std::shared_ptr<const std::vector<Effect>> stated = nullptr;  ///< rows of the user's own, or none
   Alone alone = Alone::no;
+  /// The arm in space whose joints and links these are; null for a chain in the plane. Lengths are then
+  /// distances along its links, and a stiffness of zero is that of a rigid joint.
+  std::shared_ptr<const NominalArm> arm = nullptr;
 
   /// Whether it has springs and weights alone.
   [[nodiscard]] bool plain() const { return effects.empty() && laws.empty(); }

@@ -72,7 +72,9 @@ double largest_force(const Trace& trace) {
 }
 
 /// A run whose command moves from `start` by `by`, and back if asked.
-Run gone(const Shape& from, const Vector2& start, const Vector2& by, bool back, double pause) {
+Run gone(const Shape& from, const Vector2& start, const Vector2& by, bool back,
+         const OperatingEnvelope& so_far) {
+  const double pause = so_far.sampling_interval;
   Run run{"proposed", from.control, from.rest, {}};
   run.alone = from.alone;
   const int last = back ? 2 * press_steps : press_steps;
@@ -84,6 +86,7 @@ Run gone(const Shape& from, const Vector2& start, const Vector2& by, bool back, 
     } else {
       run.readings.push_back({i * pause, not_measured, not_measured, to.x(), to.y(), {}});
     }
+    run.readings.back().covariates = so_far.covariates;
   }
   return run;
 }
@@ -110,7 +113,7 @@ std::vector<double> ways(const Experiment& experiment, const Shape& shape, const
   std::vector<double> all;
   for (int power = longest; power >= shortest && all.size() < 2; --power) {
     const double by = std::pow(1.5, power) * so_far.travel;
-    const Run there_and_back = gone(shape, start, by * along, true, so_far.sampling_interval);
+    const Run there_and_back = gone(shape, start, by * along, true, so_far);
     if (follows(experiment, there_and_back, so_far)) all.push_back(by);
   }
   std::reverse(all.begin(), all.end());
@@ -127,7 +130,7 @@ std::vector<CandidateRun> presses(const Experiment& experiment, const Shape& sha
       for (const bool back : {false, true})
         all.push_back({fmt::format("{} {} by {:.3g} {} from {}{}", turns ? "turn" : "press", one.name, by,
                                    turns ? "rad" : "m", shape.words, back ? " and unload" : ""),
-                       gone(shape, start, by * one.along, back, so_far.sampling_interval)});
+                       gone(shape, start, by * one.along, back, so_far)});
   return all;
 }
 
@@ -143,7 +146,7 @@ std::optional<Vector2> bearable_load(const Experiment& experiment, const Shape& 
   double force = so_far.force > 0 ? so_far.force : 2 * wanted * stiffest / shortest;
   for (int halved = 0; halved < 12; ++halved, force /= 2) {
     Experiment bench = experiment;
-    bench.runs = {gone(shape, {0, 0}, force * along, true, so_far.sampling_interval)};
+    bench.runs = {gone(shape, {0, 0}, force * along, true, so_far)};
     const Prediction nominal = simulate(bench, nominal_rig(bench), {});
     if (nominal.reached && !nominal.snapped && largest_deflection(nominal.runs[0], bench.runs[0]) <= wanted)
       return force * along;
@@ -163,9 +166,22 @@ std::vector<CandidateRun> loads(const Experiment& experiment, const Shape& shape
       all.push_back({fmt::format("load with {:.3g} {} {} from {}{}", load->norm(),
                                  shape.alone == Alone::turns ? "N m" : "N", one.name, shape.words,
                                  back ? " and unload" : ""),
-                     gone(shape, {0, 0}, *load, back, so_far.sampling_interval)});
+                     gone(shape, {0, 0}, *load, back, so_far)});
   }
   return all;
+}
+
+/// Their means over all readings.
+std::vector<double> mean_covariates(const Experiment& experiment) {
+  std::vector<double> sums(experiment.covariates.size());
+  double count = 0;
+  for (const Run& run : experiment.runs)
+    for (const Reading& reading : run.readings) {
+      for (std::size_t c = 0; c < sums.size(); ++c) sums[c] += reading.covariates[c];
+      ++count;
+    }
+  for (double& sum : sums) sum /= count;
+  return sums;
 }
 
 }  // namespace
@@ -200,6 +216,7 @@ OperatingEnvelope operating_envelope(const Study& study) {
   constexpr double rounding = 1e-9;  // rad: the deflection of joints that nothing loads
   if (so_far.deflection < rounding) so_far.deflection = 0;
   if (pause > 0) so_far.sampling_interval = pause;
+  so_far.covariates = mean_covariates(experiment);
   if (so_far.travel == 0) {
     for (const double length : experiment.link_length) so_far.travel += 0.05 * length;
   }

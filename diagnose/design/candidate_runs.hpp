@@ -15,7 +15,8 @@ struct OperatingEnvelope {
   double travel = 0;      ///< of a held end point, m; a twentieth of the chain where none was commanded
   double force = 0;       ///< on the end point, N
   double deflection = 0;  ///< of a joint, rad
-  double sampling_interval = 2;  ///< of the slowest run, s
+  double sampling_interval = 2;         ///< of the slowest run, s
+  std::vector<double> covariates = {};  ///< their means
 
   /// Whether the runs so far set any limit.
   [[nodiscard]] bool is_limit() const;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "diagnose/design/candidate_poses.hpp"
 #include "diagnose/design/candidate_runs.hpp"
 #include "diagnose/design/expected_information.hpp"
 #include "diagnose/design/separation.hpp"
@@ -49,6 +50,9 @@ std::vector<Channel> channels_of(const Run& run, const Noise& sigma, bool angles
   std::vector<Channel> channels = run.answering();
   for (std::size_t j = 0; angles && run.alone == Alone::no && j < run.rest.size(); ++j)
     channels.push_back({Channel::Name::q, j});
+  for (const Channel& one : run.measured())
+    if (one.name >= Channel::Name::place && std::isfinite(one.of(run.readings.front())))
+      channels.push_back(one);
   std::erase_if(channels, [&](const Channel& one) { return !(one.sigma(sigma) > 0); });
   return channels;
 }
@@ -130,7 +134,8 @@ class Planner {
 
   void add_candidates() {
     constexpr std::size_t most_shapes = 12;
-    for (const CandidateRun& one : candidate_runs(experiment_, most_shapes, so_far_))
+    for (const CandidateRun& one :
+         experiment_.arm ? candidate_poses(experiment_) : candidate_runs(experiment_, most_shapes, so_far_))
       add(one.description, one.run);
   }
 
@@ -165,12 +170,12 @@ class Planner {
   void add(const std::string& what, const Run& run) {
     const bool weighs = experiment_.bench.plane != Bench::Plane::horizontal;
     for (const bool out_of_gravity : {false, true}) {
-      if (out_of_gravity && !weighs) continue;
+      if (out_of_gravity && (!weighs || experiment_.arm)) continue;
       const Study bench(bench_for(experiment_, run, out_of_gravity));
       const auto all = predictions(bench, hypotheses_, so_far_);
       if (!all) continue;
       for (const bool angles : {false, true}) {
-        if (reads_angles_ && !angles) continue;
+        if (experiment_.arm ? reads_angles_ != angles : reads_angles_ && !angles) continue;
         const std::vector<Forecast> hypotheses = forecasts(*all, run, angles);
         const Forecast nominal = forecasts({bench.nominal()}, run, angles).front();
         if (hypotheses.front().read.size() == 0) continue;

@@ -95,8 +95,11 @@ Kind kind_of(const Words& words) {
       places{"x", "y", "z"},
       angles{"q", "joint", "angle", "theta", "winkel", "phi", "gelenk", "encoder", "enc", "jnt", "servo"},
       runs{"run", "trial", "versuch", "essai", "experiment", "lauf", "rep", "repetition", "cycle"},
-      speeds{"v",     "vel",    "velocity", "dq",     "qd",      "speed", "acc",
-             "accel", "torque", "tau",      "effort", "current", "temp",  "temperature"};
+      speeds{"v",   "vel",   "velocity", "dq",  "qd",     "speed",
+             "acc", "accel", "torque",   "tau", "effort", "current"},
+      temperatures{"temp", "temperature", "temperatur"}, humidities{"humidity", "humid", "feuchte", "rh"};
+  if (any(words, temperatures)) return Kind::temperature;
+  if (any(words, humidities)) return Kind::humidity;
   if (any(words, speeds)) return Kind::none;
   const std::string axis = last_axis(words);
   if (any(words, forces))
@@ -115,6 +118,25 @@ Kind kind_of(const Words& words) {
 
 }  // namespace
 
+std::vector<ColumnWords> words_of_standard(std::size_t columns, std::size_t joints) {
+  constexpr std::array order{Kind::time, Kind::x, Kind::y, Kind::force_x, Kind::force_y};
+  if (columns != order.size() && columns != order.size() + joints) return {};
+  std::vector<ColumnWords> words(columns);
+  for (std::size_t c = 0; c < columns; ++c) {
+    words[c].kind = c < order.size() ? order[c] : Kind::angle;
+    if (c >= order.size()) words[c].joint = c - order.size() + 1;
+  }
+  return words;
+}
+
+bool is_force(Kind kind) {
+  return kind == Kind::force || kind == Kind::force_x || kind == Kind::force_y || kind == Kind::force_z;
+}
+
+bool is_place(Kind kind) {
+  return kind == Kind::x || kind == Kind::y || kind == Kind::z || kind == Kind::angle;
+}
+
 const Quantity* quantity_of(Kind kind) {
   switch (kind) {
     case Kind::time:
@@ -132,6 +154,8 @@ const Quantity* quantity_of(Kind kind) {
       return &quantity::angle;
     case Kind::none:
     case Kind::run:
+    case Kind::temperature:
+    case Kind::humidity:
       break;
   }
   return nullptr;

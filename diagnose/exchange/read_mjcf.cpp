@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "support/files/printable.hpp"
+
 namespace plumbline::exchange {
 namespace {
 
@@ -28,8 +30,11 @@ class MjcfReader {
     for (std::size_t b = 1; b < scene_.bodies.size(); ++b) add_mass(b);
     for (std::size_t s = 0; s < scene_.sites.size(); ++s) {
       const MjcfSite& site = scene_.sites[s];
-      result_.ends.push_back({"site", site.name, joint_name(scene_.last_joint(site.body)), site.at, s});
+      result_.ends.push_back(
+          {"site", site.name, joint_name(scene_.last_joint(site.body)), site.at.translation(), s});
     }
+    add_frames();
+    add_constraints();
     result_.gravity = gravity();
     leave_out();
     return std::move(result_);
@@ -46,13 +51,68 @@ class MjcfReader {
     ReadJoint joint;
     joint.name = own.name;
     joint.carrier = joint_name(j > body.joints.front() ? j - 1 : scene_.last_joint(body.parent));
-    joint.hinge = own.type == "hinge";
-    joint.free = own.type == "free";
+    joint.type = own.type;
+    joint.motion = motion_of(own.type);
     joint.axis = own.axis;
     joint.anchor = own.anchor;
+    joint.turn = body.at.linear();
+    joint.reference = own.ref;
+    joint.range = own.range;
+    joint.friction = scene_.defaults.number(own.element, "frictionloss", 0);
     joint.stiffness = own.stiffness;
     joint.rest = own.springref - own.ref;
     result_.joints.push_back(std::move(joint));
+  }
+
+  static JointMotion motion_of(const std::string& type) {
+    if (type == "hinge") return JointMotion::hinge;
+    if (type == "slide") return JointMotion::slide;
+    return type == "free" ? JointMotion::free : JointMotion::other;
+  }
+
+  void add_frames() {
+    for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
+      const MjcfBody& body = scene_.bodies[b];
+      result_.frames.push_back({"body", body.name, joint_name(scene_.last_joint(b)),
+                                b > 0 ? scene_.bodies[body.parent].name : "", body.at});
+    }
+    for (const MjcfSite& site : scene_.sites)
+      result_.frames.push_back({"site", site.name, joint_name(scene_.last_joint(site.body)),
+                                scene_.bodies[site.body].name, site.at});
+  }
+
+  /// What equality constraints couple: joints that follow others, and bodies that are tied.
+  void add_constraints() {
+    for (const xml_node section : scene_.document.root().children("equality"))
+      for (const xml_node one : section.children()) {
+        const auto active = scene_.defaults.attribute(one, "active");
+        if (one.type() != pugi::node_element || (active && std::string(active.value()) == "false")) continue;
+        if (std::string(one.name()) == "joint")
+          couple(one);
+        else
+          tie(one);
+      }
+  }
+
+  void couple(xml_node constraint) {
+    const auto second = constraint.attribute("joint2");
+    for (std::size_t j = 0; j < scene_.joints.size(); ++j)
+      if (std::string(scene_.joints[j].element.attribute("name").value()) ==
+          constraint.attribute("joint1").value())
+        result_.joints[j].follows = second ? files::shown(second.value()) : "a constant";
+  }
+
+  void tie(xml_node constraint) {
+    ReadLoop loop{std::string(constraint.name()) + " " + files::shown(constraint.attribute("name").value()),
+                  {}};
+    for (std::size_t i = 0; i < 2; ++i) {
+      const std::string number = std::to_string(i + 1);
+      const auto body = constraint.attribute(("body" + number).c_str()),
+                 site = constraint.attribute(("site" + number).c_str());
+      for (const ReadFrame& frame : result_.frames)
+        if (frame.name == (frame.is_body() ? body : site).value()) loop.carriers[i] = frame.carrier;
+    }
+    result_.loops.push_back(std::move(loop));
   }
 
   /// Beside the joint's own spring.
@@ -62,9 +122,11 @@ class MjcfReader {
                  both = joint.stiffness + servo.stiffness();
     joint.rest = (joint.stiffness * joint.rest + servo.stiffness() * rest) / both;
     joint.stiffness = both;
-    result_.notes.push_back(
-        fmt::format("joint {}: {} is a spring of {:.6g} N m/rad about its command, {:.6g} rad", joint.name,
-                    servo.name, servo.stiffness(), servo.rest()));
+    joint.servo += servo.stiffness();
+    const bool turns = joint.motion == JointMotion::hinge;
+    result_.notes.push_back(fmt::format("joint {}: {} is a spring of {:.6g} {} about its command, {:.6g} {}",
+                                        joint.name, servo.name, servo.stiffness(), turns ? "N m/rad" : "N/m",
+                                        servo.rest(), turns ? "rad" : "m"));
   }
 
   void add_mass(std::size_t body) {
@@ -83,13 +145,6 @@ class MjcfReader {
 
   void leave_out() {
     std::vector<std::string>& out = result_.left_out;
-    for (const MjcfJoint& joint : scene_.joints) {
-      const auto limited = scene_.defaults.attribute(joint.element, "limited");
-      const bool free = limited && std::string(limited.value()) == "false";
-      if (scene_.defaults.number(joint.element, "frictionloss", 0) > 0)
-        out.push_back("frictionloss of " + joint.name);
-      if (scene_.defaults.attribute(joint.element, "range") && !free) out.push_back("range of " + joint.name);
-    }
     out.insert(out.end(), actuators_.left_out.begin(), actuators_.left_out.end());
     const xml_node root = scene_.document.root();
     if (const auto count = elements_in(root, "tendon")) out.push_back(fmt::format("{} tendons", count));

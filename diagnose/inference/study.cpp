@@ -61,11 +61,10 @@ Experiment with_rows(Experiment experiment, std::shared_ptr<const std::vector<Ef
   return experiment;
 }
 
-std::vector<const Effect*> all_rows(const std::vector<Effect>* stated) {
-  std::vector<const Effect*> rows;
-  for (const Effect& row : catalogue()) rows.push_back(&row);
-  if (stated == nullptr) return rows;
-  for (const Effect& row : *stated) rows.push_back(&row);
+std::vector<const Effect*> all_rows(const Experiment& experiment) {
+  std::vector<const Effect*> rows = rows_for(experiment.arm != nullptr);
+  if (experiment.stated == nullptr) return rows;
+  for (const Effect& row : *experiment.stated) rows.push_back(&row);
   return rows;
 }
 
@@ -73,7 +72,7 @@ std::vector<const Effect*> all_rows(const std::vector<Effect>* stated) {
 
 Study::Study(Experiment experiment)
     : experiment_(numbered(std::move(experiment))),
-      effects_(all_rows(experiment_.stated.get())),
+      effects_(all_rows(experiment_)),
       measurements_(experiment_),
       scales_(characteristic_scales(experiment_)),
       nominal_rig_(diagnose::nominal_rig(experiment_)) {}
@@ -109,7 +108,9 @@ const Excitation& Study::excitation() const {
 
 std::vector<ParameterRange> Study::ranges(const EffectAt& at) const {
   std::vector<ParameterRange> all = at.effect->parameters({scales_, index_of(at)});
-  if (experiment_.alone == Alone::slides)
+  const bool slides = at.joint > 0 && experiment_.arm &&
+                      experiment_.arm->arm.links[at.joint - 1].kind == JointKind::prismatic;
+  if (slides || experiment_.alone == Alone::slides)
     for (ParameterRange& one : all) one.unit = sliding_unit(one.unit);
   return all;
 }

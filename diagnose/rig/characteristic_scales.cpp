@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnose/rig/rig.hpp"
+
 namespace plumbline::diagnose {
 namespace {
 
@@ -72,6 +74,45 @@ void find_plateau(const Experiment& experiment, CharacteristicScales& size) {
   });
 }
 
+/// Whether weights of known masses, without a sensor, load an arm.
+bool reads_wrench(const Run& run) {
+  return !run.by_weights && any_reading(run, [](const Reading& reading) { return !reading.wrench.empty(); });
+}
+
+double wrench_force(const Reading& reading) {
+  return reading.wrench.empty() ? 0 : Eigen::Map<const Eigen::Vector3d>(reading.wrench.data()).norm();
+}
+
+/// Scales of loads on an arm in space, and what its joints do.
+void add_arm(const Experiment& experiment, CharacteristicScales& size) {
+  const SerialArm<double>& arm = experiment.arm->arm;
+  size.arm = experiment.arm;
+  size.moves.assign(arm.size(), false);
+  double mass = 0, force = 0;
+  for (const ArmLink<double>& link : arm.links) {
+    mass += link.mass;
+    size.yields = size.yields || link.joint_compliance > 0 || yields(link);
+  }
+  for (const Run& run : experiment.runs) {
+    size.load_cell = size.load_cell || reads_wrench(run);
+    for (const Reading& reading : run.readings) {
+      force = std::max(force, wrench_force(reading));
+      for (std::size_t j = 0; j < arm.size(); ++j)
+        size.moves[j] = size.moves[j] || std::abs(reading.rest[j] - experiment.runs.front().rest[j]) > 1e-3;
+    }
+  }
+  const double kilogram = 1, weight = mass * arm.gravity.norm();
+  size.imposes_force = force > 0;
+  size.mass = mass > 0 ? mass / static_cast<double>(arm.size()) : kilogram;
+  size.nominal_weight = weight > 0;
+  size.weighs = true;
+  size.force = std::max({force, 0.3 * weight, 1e-3 * standard_gravity});
+  size.torque = 0.3 * size.force * size.length;
+  constexpr double yields_little = 1e-3;  // rad, of joints that are modelled as rigid, under a typical torque
+  if (!(size.stiffness > 0)) size.stiffness = size.torque / yields_little;
+  size.deflection = std::clamp(size.torque / size.stiffness, 1e-6, 1.0);
+}
+
 }  // namespace
 
 CharacteristicScales characteristic_scales(const Experiment& experiment) {
@@ -117,6 +158,7 @@ CharacteristicScales characteristic_scales(const Experiment& experiment) {
   size.nominal_weight = falls && std::any_of(experiment.link_mass.begin(), experiment.link_mass.end(),
                                              [](double mass) { return mass > 0; });
   size.weighs = experiment.bench.plane != Bench::Plane::horizontal;
+  if (experiment.arm) add_arm(experiment, size);
   return size;
 }
 

@@ -34,6 +34,13 @@ struct CharacteristicScales {
   std::size_t at_largest = 0;         ///< readings of a force that reach the largest one within their noise
   std::array<bool, channel_names> measured{};  ///< by channel name
 
+  // Of an arm in space.
+  std::shared_ptr<const NominalArm> arm;  ///< null for a chain in the plane
+  std::vector<bool> moves;                ///< by joint, whether its command changes
+  double torque = 0;                      ///< of a joint under a typical load, N m
+  double mass = 0;                        ///< of the mean link, kg
+  bool yields = false;                    ///< some joint or link yields
+
   /// Stiffness of a joint; for a passive joint the mean of the elastic ones.
   [[nodiscard]] double stiffness_at(std::size_t joint) const {
     return joint_stiffness[joint] > 0 ? joint_stiffness[joint] : stiffness;

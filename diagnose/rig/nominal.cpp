@@ -37,6 +37,7 @@ Rig without_effects(const Experiment& experiment) {
   rig.sliders.resize(n);
   for (const Point<double>& weight : weights(experiment)) rig.weight.emplace_back(weight.x, weight.y);
   rig.weight.resize(n, Vector2::Zero());
+  if (experiment.arm) rig.arm = ArmRig::nominal(experiment);
   return rig;
 }
 
@@ -48,11 +49,11 @@ std::string place_of(const Experiment& experiment, std::size_t number, const std
 /// The rows that a nominal model may have: the catalogue's of every model order, and the user's.
 std::vector<const Effect*> rows_of(const Experiment& experiment) {
   std::vector<const Effect*> rows;
-  for (const Effect& row : catalogue()) {
-    rows.push_back(&row);
-    if (!row.orders) continue;
-    for (const Effect* other : row.orders())
-      if (other != &row) rows.push_back(other);
+  for (const Effect* row : rows_for(experiment.arm != nullptr)) {
+    rows.push_back(row);
+    if (!row->orders) continue;
+    for (const Effect* other : row->orders())
+      if (other != row) rows.push_back(other);
   }
   if (experiment.stated)
     for (const Effect& row : *experiment.stated) rows.push_back(&row);

@@ -83,17 +83,7 @@ void RigModel<Bandwidth>::assemble(const Vector<double>& angle, const Point<doub
 
 template <int Bandwidth>
 Torque RigModel<Bandwidth>::history(std::size_t joint, double q) const {
-  const JointLaw& law = step_->run.joint[joint];
-  const JointMemory& last = step_->memory[joint];
-  const TimeStep& interval = step_->interval;
-  Torque torque;
-  for (std::size_t s = 0; s < law.slider.size(); ++s)
-    if (s != law.direction && law.slider[s].acts() && (law.slider[s].from_rest || !interval.relaxed))
-      torque += law.dry(law.slider[s], last.slider[s], q, last, (*contact_)[layout_.contact(joint, s)]);
-  if (interval.relaxed) return torque;
-  for (std::size_t a = 0; a < step_->run.arm_time.size(); ++a)
-    torque += law.viscous(a, q, last, interval.decay[a], interval.gain[a]);
-  return torque;
+  return history_torque(*step_, joint, q, contact_->data() + layout_.contact(joint, 0));
 }
 
 template <int Bandwidth>
@@ -133,7 +123,8 @@ void RigModel<Bandwidth>::add_stated(std::size_t joint, double q, const Vector2&
       s < law.slider.size() && !step_->interval.relaxed
           ? law.dry(law.slider[s], last.slider[s], q, last, (*contact_)[layout_.contact(joint, s)])
           : Torque{};
-  const StatedTorque::Place place{q, q - law.rest, step_->interval.end, law.stiffness, force};
+  const TimeStep& interval = step_->interval;
+  const StatedTorque::Place place{q, q - law.rest, interval.end, law.stiffness, force, interval.covariates};
   for (const StatedTorque& one : law.stated) {
     const double value = one.value(place, motion.value);
     if constexpr (!derivatives) {

@@ -12,6 +12,7 @@
 
 #include "diagnose/bench/conversion.hpp"
 #include "diagnose/rig/nominal.hpp"
+#include "diagnose/screening/arm_conventions.hpp"
 #include "diagnose/screening/misfit.hpp"
 #include "diagnose/screening/stuck_channel.hpp"
 
@@ -345,8 +346,24 @@ std::optional<SuspectedConvention> suspected_convention(const Study& study) {
   return doubt;
 }
 
+namespace {
+
+/// \throws Error with the question where the readings of an arm agree with it after a slip is mended
+void require_no_slip(const Study& study) {
+  const std::optional<SuspectedSlip> doubt = suspected_slip(study);
+  if (!doubt) return;
+  throw Error(
+      study.experiment().name,
+      fmt::format("readings in which {} (the places are then off by {} of the reach, instead of {})",
+                  doubt->looks_like, percent(doubt->left), percent(doubt->as_read)),
+      "places near those of the nominal arm: if it is so, write " + doubt->remedy + "; if not, pass --as-is");
+}
+
+}  // namespace
+
 void require_conventions(const Study& study) {
   require_no_stuck_channel(study);
+  if (study.experiment().arm) return require_no_slip(study);
   const std::optional<SuspectedConvention> doubt = suspected_convention(study);
   if (!doubt) return;
   std::string where = study.experiment().name + ", ";

@@ -45,16 +45,17 @@ EXPERIMENT = {
     "bench": {"gravity_plane": "vertical", "gravity_direction": [0.0, -1.0]},
     "noise": {"x": 0.001, "y": 0.001, "Fx": 0.02, "Fy": 0.02, "q": 0.001},
     "units": {"link_length": "m", "joint_stiffness": "N m/rad", "link_mass": "kg", "gravity": "m/s^2", "rest": "rad"},
-    "csv": {"delimiter": ",", "decimal": ".", "header": True, "skip_lines": 0, "skip_after_header": 0, "comment": "#",
+    "csv": {"delimiter": ",", "decimal": ".", "header": True, "transposed": False, "skip_lines": 0, "skip_after_header": 0, "comment": "#",
             "missing": ["NaN"]},
     "columns": {"t": "t", "x": "x", "y": 3, "Fx": {"column": "Fx", "unit": "N", "sign": 1, "zero": 0},
                 "Fy": {"constant": 0}, "q": {"column": ["q1", 7], "unit": "rad", "sign": [1, 1], "zero": [0, 0],
                                              "absolute": False},
-                "q_command": {"column": ["c1", "c2"], "unit": "rad", "sign": -1, "zero": [0, 0], "absolute": False}},
+                "q_command": {"column": ["c1", "c2"], "unit": "rad", "sign": -1, "zero": [0, 0], "absolute": False},
+                "covariate": {"temperature": {"column": "T", "sign": 1, "zero": 20}}},
     "run": [{"id": "press", "control": "displacement", "begins": "relaxed", "loaded_by": "servo", "rest": [0.4, -0.9], "samples": "press.csv",
              "csv": {"decimal": "."}, "columns": {"Fx": {"zero": "first"}, "q": ["q1", "q2"]}}],
 }
-SAMPLES = "t,x,y,Fx,Fy,q1,q2\n0,9,0,0,0,0,0\n1,9,0,0,0,0,0\n"
+SAMPLES = "t,x,y,Fx,Fy,q1,q2,T\n0,9,0,0,0,0,0,20\n1,9,0,0,0,0,0,20\n"
 # Where a unit of the kind can stand, and what makes it one.
 UNITS = {"length": ("link_length", ""), "torque": ("joint_stiffness", "/rad"), "mass": ("link_mass", ""),
          "angle": ("rest", ""), "force": ("joint_stiffness", " m/rad"), "time": ("gravity", "^2")}

@@ -20,7 +20,7 @@ double instant(const NoiseEvidence& evidence, Eigen::Index value) {
 class PeriodicInterference final : public NoiseTerm {
   [[nodiscard]] std::optional<NoiseProposal> propose(const NoiseEvidence& evidence) const override {
     std::optional<NoiseProposal> best;
-    for (const Sensor sensor : every_sensor) {
+    for (const Sensor sensor : all_sensors) {
       const bool known = std::any_of(evidence.shape.interference.begin(), evidence.shape.interference.end(),
                                      [&](const Interference& one) { return one.sensor == sensor; });
       if (!known) look_at(evidence, sensor, best);

@@ -80,6 +80,7 @@ Effect hysteresis_of(std::size_t elements, bool at_joint) {
   row.perturbation.large_step = true;
   row.element_size = 2;
   row.orders = [=] { return hystereses(at_joint); };
+  row.in_space = true;
   return row;
 }
 

@@ -12,8 +12,18 @@ std::vector<Effect> link_effects() {
        .words = "a wrong length of link {}",
        .at_joint = true,
        .parameters = [](const Place&) { return std::vector{both_ways("a", "ratio", 0.02, -0.3, 0.3)}; },
-       .add = [](const Addition& to) { to.rig.length[to.joint] *= 1 + to.value[0]; },
-       .possible = has_links},
+       .add =
+           [](const Addition& to) {
+             to.rig.length[to.joint] *= 1 + to.value[0];
+             if (!to.rig.arm) return;
+             SerialArm<double>& arm = to.rig.arm->arm;
+             arm.links[to.joint + 1].frame.translation() *= 1 + to.value[0];
+           },
+       .possible =
+           [](const Place& at) {
+             return at.scales.arm ? at.joint + 1 < at.scales.link_length.size() : has_links(at);
+           },
+       .in_space = true},
       {.id = "gravity",
        .words = "the weight of the links",
        .parameters =
@@ -34,8 +44,11 @@ std::vector<Effect> link_effects() {
        .add =
            [](const Addition& to) {
              for (Vector2& weight : to.rig.weight) weight *= 1 + to.value[0];
+             if (!to.rig.arm) return;
+             for (ArmLink<double>& link : to.rig.arm->arm.links) link.mass *= 1 + to.value[0];
            },
-       .possible = [](const Place& at) { return at.scales.nominal_weight; }},
+       .possible = [](const Place& at) { return at.scales.nominal_weight; },
+       .in_space = true},
       {.id = "axial_compliance",
        .words = "axial compliance of the links",
        .parameters =
