@@ -44,21 +44,29 @@ std::string in_words(const std::vector<double>& command, Alone alone) {
   return fmt::format("{:.0f} degrees", fmt::join(degrees, ", "));
 }
 
-Run commanded(const Experiment& experiment, const std::vector<std::vector<double>>& commands, double pause) {
+Run commanded(const Experiment& experiment, const std::vector<std::vector<double>>& commands,
+              const OperatingEnvelope& so_far) {
   constexpr double unseen = std::numeric_limits<double>::quiet_NaN();
   Run run{"proposed", Control::force, commands.front(), {}};
   run.alone = experiment.alone;
   run.by_weights = true;
   const double across = run.alone == Alone::no ? unseen : 0;
   for (const std::vector<double>& command : commands)
-    run.readings.push_back(
-        {static_cast<double>(run.readings.size()) * pause, unseen, across, 0, 0, {}, command});
+    run.readings.push_back({static_cast<double>(run.readings.size()) * so_far.sampling_interval,
+                            unseen,
+                            across,
+                            0,
+                            0,
+                            {},
+                            command,
+                            so_far.covariates});
   return run;
 }
 
 /// Nine poses in which every two joints meet at all of their low, middle and high commands (an orthogonal
 /// array of strength two, for up to four joints).
-std::vector<CandidateRun> poses(const Experiment& experiment, const std::vector<Span>& joints, double pause) {
+std::vector<CandidateRun> poses(const Experiment& experiment, const std::vector<Span>& joints,
+                                const OperatingEnvelope& so_far) {
   std::vector<CandidateRun> all;
   for (std::size_t i = 0; i < 9; ++i) {
     std::vector<double> pose;
@@ -67,14 +75,14 @@ std::vector<CandidateRun> poses(const Experiment& experiment, const std::vector<
     const bool known =
         std::any_of(all.begin(), all.end(), [&](const CandidateRun& one) { return one.run.rest == pose; });
     if (!known)
-      all.push_back({"hold " + in_words(pose, experiment.alone), commanded(experiment, {pose}, pause)});
+      all.push_back({"hold " + in_words(pose, experiment.alone), commanded(experiment, {pose}, so_far)});
   }
   return all;
 }
 
 /// One joint goes from its lowest to its highest command and back, the others stay in the middle.
 std::vector<CandidateRun> sweeps(const Experiment& experiment, const std::vector<Span>& joints,
-                                 double pause) {
+                                 const OperatingEnvelope& so_far) {
   constexpr int steps = 20;
   std::vector<CandidateRun> all;
   for (std::size_t j = 0; j < joints.size(); ++j) {
@@ -88,7 +96,7 @@ std::vector<CandidateRun> sweeps(const Experiment& experiment, const std::vector
     all.push_back({fmt::format("sweep joint {} slowly from {} to {} and back", j + 1,
                                in_words({joints[j].low}, experiment.alone),
                                in_words({joints[j].high}, experiment.alone)),
-                   commanded(experiment, commands, pause)});
+                   commanded(experiment, commands, so_far)});
   }
   return all;
 }
@@ -114,8 +122,7 @@ std::vector<CandidateRun> commanded_runs(const Experiment& experiment, const Ope
     return all;
   const std::vector<Span> joints = spans(experiment);
   const bool weighs = experiment.bench.plane != Bench::Plane::horizontal;
-  for (const auto& some : {poses(experiment, joints, so_far.sampling_interval),
-                           sweeps(experiment, joints, so_far.sampling_interval)})
+  for (const auto& some : {poses(experiment, joints, so_far), sweeps(experiment, joints, so_far)})
     for (const CandidateRun& one : some) {
       all.push_back(one);
       if (!weighs) continue;
