@@ -167,7 +167,6 @@ struct Experiment : NominalChain {
   std::size_t run_count = 0;
   std::vector<Origin> origins = {};          ///< of link_length, joint_stiffness, link_mass, gravity and rest
   std::vector<std::string> covariates = {};  ///< names of quantities noted at each reading: "temperature"
-  std::vector<Origin> origins = {};          ///< of link_length, joint_stiffness, link_mass, gravity and rest
   ArmBench arm_bench = {};                   ///< of an arm in space
 };
 

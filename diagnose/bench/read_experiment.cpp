@@ -279,8 +279,10 @@ Run read_poses_of(const Section& section, const Source& source, const PoseFormat
   run.control = Control::force;
   if (section.has("control") && section.text("control", "\"command\"") != "command")
     section.refuse("control", "\"command\", or no such key, for an arm");
-  const NamedTable named = source.read(section, format.csv);
-  run.readings = read_poses(named.table, named.source, format, experiment);
+  for (const SamplePart& part : source.read(section, format.csv)) {
+    const std::vector<Reading> more = read_poses(part.table, part.source, format, experiment);
+    run.readings.insert(run.readings.end(), more.begin(), more.end());
+  }
   run.rest = run.readings.front().rest;
   const std::string expected = "\"weights\" or \"servo\"";
   const std::string word = section.has("loaded_by") ? section.text("loaded_by", expected) : "weights";
@@ -404,9 +406,9 @@ Experiment read_plan(const fs::path& folder, const ReadFile& read, const Nominal
   return as_bench(read_folder(folder, read, true, model));
 }
 
-Experiment read_plan(const toml::table& settings, const std::string& source, const ReadTable& read,
+Experiment read_plan(const toml::table& settings, const std::string& source, const ReadParts& read,
                      const NominalChain* model) {
-  return as_bench(read_settings(Section(settings, source), {read, true}, model));
+  return as_bench(read_settings(Section(settings, source), {read, true, {}}, model));
 }
 
 }  // namespace plumbline::diagnose

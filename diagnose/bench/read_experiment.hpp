@@ -51,7 +51,7 @@ Experiment read_experiment(const std::filesystem::path& folder, const ReadFile& 
 Experiment read_plan(const std::filesystem::path& folder, const NominalChain* model = nullptr);
 Experiment read_plan(const std::filesystem::path& folder, const ReadFile& read,
                      const NominalChain* model = nullptr);
-Experiment read_plan(const toml::table& settings, const std::string& source, const ReadTable& read,
+Experiment read_plan(const toml::table& settings, const std::string& source, const ReadParts& read,
                      const NominalChain* model = nullptr);
 
 }  // namespace plumbline::diagnose

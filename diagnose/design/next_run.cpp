@@ -133,9 +133,9 @@ class Planner {
   }
 
   void add_candidates() {
-    constexpr std::size_t most_shapes = 12;
+    constexpr std::size_t shapes = 12;
     for (const CandidateRun& one :
-         experiment_.arm ? candidate_poses(experiment_) : candidate_runs(experiment_, most_shapes, so_far_))
+         experiment_.arm ? candidate_poses(experiment_) : candidate_runs(experiment_, shapes, so_far_))
       add(one.description, one.run);
   }
 
