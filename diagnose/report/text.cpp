@@ -142,8 +142,8 @@ std::string beside(const Cause& cause) {
   if (shows_tolerances(cause.ranking.front())) text += "  manufacturing tolerances show beside it\n";
   if (cause.discrepancy > 0)
     text += fmt::format(
-        "  model discrepancy: {:.2g} N m at the joints, {} of the nominal residual beside the noise\n",
-        cause.discrepancy_torque, percent(cause.discrepancy));
+        "  model discrepancy: {:.2g} {} at the joints, {} of the nominal residual beside the noise\n",
+        cause.discrepancy_torque, cause.torque_unit, percent(cause.discrepancy));
   return text;
 }
 
