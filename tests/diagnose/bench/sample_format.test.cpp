@@ -251,9 +251,10 @@ TEST_CASE("a missing column is refused") {
   CHECK(sample_fault("[columns]\nx = \"k\"\n", "a,b,h\n1,2,3\n") ==
         header + "one column 'k', which F:2: columns.x names");
   CHECK(sample_fault("[columns]\nx = \"a\"\n", "a,a,h\n1,2,3\n") ==
-        "T:1: found 2 columns of one name, expected one column 'a', which F:2: columns.x names");
+        "T:1: found 2 columns of one name, expected one column 'a', which F:2: columns.x names; a number "
+        "says which one");
   CHECK(sample_fault("[columns]\n", "x,y,y\n1,2,3\n") ==
-        "T:1: found 2 columns of one name, expected one column 'y'");
+        "T:1: found 2 columns of one name, expected one column 'y'; a number says which one");
   CHECK(sample_fault("[columns]\nx = \"a\"\n", "a,b,h\n1,2,3\n") ==
         "T:1: found no column 'y', which the run imposes, expected the column, or a key columns.y that names "
         "another");
