@@ -45,7 +45,7 @@ double PartReader::value(std::size_t c, std::size_t row) const {
 
 bool PartReader::is_empty(std::size_t row) const {
   for (std::size_t c = place_t + 1; c < places_.size(); ++c)
-    if (places_[c] && !field(c, row).empty()) return false;
+    if (places_[c] && !is_missing(part_.table.rows[row].fields[*places_[c]])) return false;
   return true;
 }
 
@@ -63,11 +63,15 @@ bool PartReader::is_no_force(std::size_t c) const {
   return format().commanded && (c == place_Fx || c == place_Fy) && !has(c);
 }
 
+bool PartReader::is_missing(const std::string& field) const {
+  const std::vector<std::string>& entries = format().missing;
+  return field.empty() || std::find(entries.begin(), entries.end(), field) != entries.end();
+}
+
 /// A field with a decimal point; empty for a missing value.
 std::string PartReader::field(std::size_t c, std::size_t row) const {
   std::string text = part_.table.rows[row].fields[*places_[c]];
-  const std::vector<std::string>& missing = format().missing;
-  if (std::find(missing.begin(), missing.end(), text) != missing.end()) return "";
+  if (is_missing(text)) return "";
   if (text.starts_with('+')) text.erase(0, 1);
   if (format().decimal == '.') return text;
   if (text.find('.') != std::string::npos) refuse(c, row);

@@ -88,6 +88,12 @@ std::string last_axis(const Words& words) {
   return "";
 }
 
+/// Whether a unit is one of temperature.
+bool is_temperature(const std::string& unit) {
+  static const std::set<std::string> units{"c", "\u00b0c", "degc", "deg c", "celsius"};
+  return units.contains(lower(trimmed(unit)));
+}
+
 Kind kind_of(const Words& words) {
   static const std::set<std::string> times{"t",         "time",  "zeit", "temps",   "tiempo",
                                            "timestamp", "stamp", "secs", "seconds", "ts"},
@@ -167,7 +173,7 @@ ColumnWords words_of(const std::string& title, const std::string& below,
   const std::string in_brackets = bracketed(title);
   const std::string name = in_brackets.empty() ? title : title.substr(0, title.find_first_of("[({/"));
   const Words words = split(name);
-  result.kind = kind_of(words);
+  result.kind = is_temperature(in_brackets) || is_temperature(below) ? Kind::temperature : kind_of(words);
   const auto named = std::find_if(joints.begin(), joints.end(), [&](const std::string& joint) {
     return !joint.empty() && lower(name).find(lower(joint)) != std::string::npos;
   });

@@ -33,11 +33,15 @@ std::vector<std::vector<std::size_t>> alike(const std::vector<ColumnWords>& word
   return all;
 }
 
-/// Blocks that repeat: every meaning once, or as often as there are blocks.
+/// Blocks that repeat: every force, place and angle once, or as often as there are blocks; likewise the time.
 Blocks repeated(const std::vector<ColumnWords>& words) {
   std::size_t most = 1;
   const auto groups = alike(words);
-  for (const auto& columns : groups) most = std::max(most, columns.size());
+  const auto is_time = [&](const std::vector<std::size_t>& columns) {
+    return words[columns.front()].kind == Kind::time;
+  };
+  for (const auto& columns : groups)
+    if (!is_time(columns)) most = std::max(most, columns.size());
   Blocks blocks(most);
   for (const auto& columns : groups) {
     if (columns.size() == 1) continue;
@@ -68,11 +72,12 @@ Blocks numbered(const RunSource& whole, const std::vector<ColumnWords>& words) {
   return best;
 }
 
-/// The content of numbered columns beside one imposed quantity: the other one.
+/// The content of numbered columns beside one imposed quantity: the other one, along the same axis.
 Kind answer_of(const std::vector<ColumnWords>& words) {
   const bool forces = any(words, is_force), places = any(words, is_place);
   if (forces == places) return Kind::none;
-  return forces ? Kind::x : Kind::force;
+  if (forces) return any(words, [](Kind kind) { return kind == Kind::force_y; }) ? Kind::y : Kind::x;
+  return any(words, [](Kind kind) { return kind == Kind::y; }) ? Kind::force_y : Kind::force_x;
 }
 
 std::vector<RunSource> apart(const RunSource& whole, const Blocks& blocks, Kind told) {
@@ -112,7 +117,7 @@ std::vector<RunSource> runs_side_by_side(const RunSource& whole, const std::vect
   if (answer == Kind::none || blocks.empty()) return {whole};
   guesses.push_back({what, fmt::format("{} side by side", blocks.size()),
                      fmt::format("columns like {} are numbered: taken for the {} of a run each",
-                                 titles(whole, blocks), answer == Kind::x ? "place along x" : "force"),
+                                 titles(whole, blocks), is_force(answer) ? "force" : "place"),
                      true});
   return apart(whole, blocks, answer);
 }

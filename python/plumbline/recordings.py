@@ -5,7 +5,7 @@ import json
 import os
 import pathlib
 from collections.abc import Iterable, Iterator, Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, BinaryIO
 
 import numpy as np
 
@@ -40,31 +40,39 @@ def read_recording(file: str | os.PathLike[str], *, topic: str = "/joint_states"
 def _joint_states(file: pathlib.Path, topic: str) -> list[tuple[float, dict[str, float]]]:
     """Time, s, and angle by joint, of every message."""
     states = []
-    topics: set[str] = set()
     try:
-        for message in _messages(file):
-            topics.add(message.channel.topic)
-            if message.channel.topic != topic:
-                continue
-            if message.schema.name not in ("sensor_msgs/msg/JointState", "sensor_msgs/JointState"):
-                raise Error(f"{file}: found {message.schema.name} on {topic}, expected sensor_msgs/msg/JointState")
-            stamp = message.ros_msg.header.stamp
-            states.append((stamp.sec + 1e-9 * stamp.nanosec, dict(zip(message.ros_msg.name, message.ros_msg.position))))
+        for schema, _, _, message in _messages(file, topic):
+            if schema.name not in ("sensor_msgs/msg/JointState", "sensor_msgs/JointState"):
+                raise Error(f"{file}: found {schema.name} on {topic}, expected sensor_msgs/msg/JointState")
+            stamp = message.header.stamp
+            states.append((stamp.sec + 1e-9 * stamp.nanosec, dict(zip(message.name, message.position))))
     except Error:
         raise
     except Exception as error:  # the reader lets those of struct, zstandard and its own through
         raise Error(f"{file}: found {type(error).__name__} where it is read, expected an MCAP file of ROS 2") from None
     if not states:
-        raise Error(f"{file}: found no message on {topic}, expected one of {', '.join(sorted(topics)) or 'no topic'}")
+        raise Error(f"{file}: found no message on {topic}, expected one of {', '.join(_topics(file)) or 'no topic'}")
     return states
 
 
-def _messages(file: pathlib.Path) -> Iterator[Any]:
+def _reader(file: pathlib.Path, recording: BinaryIO) -> Any:
     try:
-        from mcap_ros2.reader import read_ros2_messages
+        from mcap.reader import make_reader
+        from mcap_ros2.decoder import DecoderFactory
     except ImportError:
         raise Error(f"{file}: found no package mcap-ros2-support, expected it: pip install plumbline[recordings]") from None
-    return iter(read_ros2_messages(str(file)))
+    return make_reader(recording, decoder_factories=[DecoderFactory()])
+
+
+def _messages(file: pathlib.Path, topic: str) -> Iterator[Any]:
+    """Schema, channel, message as it was recorded, and decoded; in the order of time."""
+    with open(file, "rb") as recording:
+        yield from _reader(file, recording).iter_decoded_messages(topics=[topic])
+
+
+def _topics(file: pathlib.Path) -> list[str]:
+    with open(file, "rb") as recording:
+        return sorted({channel.topic for _, channel, _ in _reader(file, recording).iter_messages()})
 
 
 def _with_commands(states: list[tuple[float, dict[str, float]]],
