@@ -88,14 +88,9 @@ class Weighing {
 
 MjcfMass said_in(xml_node inertial, const MjcfScene& scene) {
   const MjcfDefaults& defaults = scene.defaults;
-  const std::vector<double> diagonal = defaults.numbers(inertial, "diaginertia", 3, 3, {0, 0, 0}),
-                            full = defaults.numbers(inertial, "fullinertia", 6, 6, {});
-  Eigen::Matrix3d tensor = Vector3d(diagonal[0], diagonal[1], diagonal[2]).asDiagonal();
-  if (!full.empty())
-    tensor << full[0], full[3], full[4], full[3], full[1], full[5], full[4], full[5], full[2];
   const MjcfMass own{defaults.number(inertial, "mass", 0),
                      defaults.vector(inertial, "pos", Vector3d::Zero())};
-  require_inertia(own.mass, tensor, place_of(scene.document.file(), inertial.parent()));
+  require_mass(own.mass, place_of(scene.document.file(), inertial.parent()));
   return own;
 }
 

@@ -7,10 +7,13 @@
 
 namespace plumbline::exchange {
 
-/// \param inertia  about the centre of mass, kg m²; zero where the file has none
-/// \throws Error at the place where the mass is negative, or where the moments of inertia are: one of them
-///         negative, or one larger than the two others together
-void require_inertia(double mass, const Eigen::Matrix3d& inertia, const std::string& place);
+/// \throws Error at the place where the mass is negative
+void require_mass(double mass, const std::string& place);
+
+/// What no body has among moments of inertia: a negative one, or one larger than the two others together.
+/// Files in use are full of such, and statics knows no inertia: words for a note, or none.
+/// \param inertia  about the centre of mass, kg m²
+std::string impossible_inertia(const Eigen::Matrix3d& inertia);
 
 /// Angles beyond two turns, as people write degrees.
 /// \throws Error at the place where they are

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "diagnose/exchange/physical_body.hpp"
 #include "support/files/printable.hpp"
 
 namespace plumbline::exchange {
@@ -81,6 +84,19 @@ class MjcfReader {
                                 scene_.bodies[site.body].name, site.at});
   }
 
+  /// What <inertial> says of the moments of a body.
+  void check_inertia(std::size_t body) {
+    const xml_node own = scene_.bodies[body].element.child("inertial");
+    const MjcfDefaults& defaults = scene_.defaults;
+    const std::vector<double> d = defaults.numbers(own, "diaginertia", 3, 3, {0, 0, 0}),
+                              full = defaults.numbers(own, "fullinertia", 6, 6, {});
+    Eigen::Matrix3d tensor = Eigen::Vector3d(d[0], d[1], d[2]).asDiagonal();
+    if (!full.empty())
+      tensor << full[0], full[3], full[4], full[3], full[1], full[5], full[4], full[5], full[2];
+    if (const std::string words = impossible_inertia(tensor); !words.empty())
+      result_.inertias.push_back({scene_.bodies[body].name, words, joint_name(scene_.last_joint(body))});
+  }
+
   /// What equality constraints couple: joints that follow others, and bodies that are tied.
   void add_constraints() {
     for (const xml_node section : scene_.document.root().children("equality"))
@@ -102,6 +118,13 @@ class MjcfReader {
         result_.joints[j].follows = second ? files::shown(second.value()) : "a constant";
   }
 
+  /// Whether a body is one by which programs drag others.
+  [[nodiscard]] bool is_handle(const std::string& body) const {
+    return std::any_of(scene_.bodies.begin(), scene_.bodies.end(), [&](const MjcfBody& one) {
+      return one.name == body && one.element.attribute("mocap").as_bool();
+    });
+  }
+
   void tie(xml_node constraint) {
     ReadLoop loop{std::string(constraint.name()) + " " + files::shown(constraint.attribute("name").value()),
                   {}};
@@ -111,6 +134,7 @@ class MjcfReader {
                  site = constraint.attribute(("site" + number).c_str());
       for (const ReadFrame& frame : result_.frames)
         if (frame.name == (frame.is_body() ? body : site).value()) loop.carriers[i] = frame.carrier;
+      if (is_handle(body.value())) return;
     }
     result_.loops.push_back(std::move(loop));
   }
@@ -131,6 +155,7 @@ class MjcfReader {
 
   void add_mass(std::size_t body) {
     const MjcfBody& own = scene_.bodies[body];
+    if (own.element.child("inertial")) check_inertia(body);
     const std::size_t carrier = scene_.last_joint(body);
     if (carrier < scene_.joints.size()) exchange::add_mass(result_.joints[carrier], own.mass, own.middle);
   }

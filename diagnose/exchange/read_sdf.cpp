@@ -109,7 +109,10 @@ class SdfReader {
       return;
     }
     const double mass = number(inertial, "mass", 1, own);
-    require_inertia(mass, tensor_of(inertial.child("inertia"), own), place(own));
+    require_mass(mass, place(own));
+    if (const std::string words = impossible_inertia(tensor_of(inertial.child("inertia"), own));
+        !words.empty())
+      result_.inertias.push_back({files::shown(name), words, carrier});
     const Vector3d middle = tree_.pose(name) * place_in(inertial, own);
     for (ReadJoint& joint : result_.joints)
       if (joint.name == carrier) add_mass(joint, mass, middle);

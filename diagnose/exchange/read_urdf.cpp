@@ -189,7 +189,10 @@ class UrdfReader {
     if (!inertial) return;
     const std::string place = place_of(tree_.file(), link);
     const double mass = number_in(inertial.child("mass").attribute("value").value(), place + ": mass");
-    require_inertia(mass, tensor_of(inertial.child("inertia"), place), place);
+    require_mass(mass, place);
+    if (const std::string words = impossible_inertia(tensor_of(inertial.child("inertia"), place));
+        !words.empty())
+      result_.inertias.push_back({files::shown(name), words, carrier});
     const Vector3d middle = at * origin_of(inertial, place).translation();
     for (ReadJoint& joint : result_.joints)
       if (joint.name == carrier) add_mass(joint, mass, middle);

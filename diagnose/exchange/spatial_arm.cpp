@@ -96,9 +96,10 @@ class Builder {
     if (own.range[0] > own.range[1])
       refuse(own, fmt::format("limits from {:.6g} to {:.6g}", own.range[0], own.range[1]),
              "the lower one first");
-    constexpr double two_turns = 4 * std::numbers::pi, unlimited = 720;
+    // Joints of many turns have limits too, and some files say hundreds of turns for none.
+    constexpr double five_turns = 30, unlimited = 720;
     for (const double limit : own.range)
-      if (own.motion == JointMotion::hinge && std::abs(limit) > two_turns && std::abs(limit) <= unlimited)
+      if (own.motion == JointMotion::hinge && std::abs(limit) > five_turns && std::abs(limit) <= unlimited)
         refuse(own, fmt::format("a limit of {:.6g} rad", limit),
                fmt::format("{:.6g}, if that is degrees, or the type continuous", limit * degree));
   }
@@ -155,6 +156,10 @@ class Builder {
     if (widest > 0 && widest < radians_as_degrees)
       result_.notes.push_back(fmt::format(
           "all limits are within {:.3g} degrees: are they radians, read as degrees?", widest / degree));
+    for (const ReadInertia& one : model_.inertias)
+      if (const std::size_t link = path_.link_of(one.carrier); link > 0 && link != ArmPath::elsewhere)
+        result_.notes.push_back(
+            fmt::format("inertia of {}: {}, as no body has (statics does not use it)", one.body, one.words));
     result_.notes.insert(result_.notes.end(), model_.notes.begin(), model_.notes.end());
     note("left out", out);
   }

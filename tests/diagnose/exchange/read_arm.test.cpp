@@ -179,16 +179,29 @@ TEST_CASE("what is no serial arm is refused in a line") {
             R"(</inertial></link><joint name="k" type="fixed"><parent link="tool"/><child link="l"/></joint>)");
   };
   says(with_link(R"(<mass value="-1"/>)"), "<link name=\"l\">: mass: found -1, expected kilograms");
-  says(with_link(R"(<mass value="1"/><inertia ixx="1" iyy="-2" izz="1"/>)"),
-       "a principal moment of -2 kg m^2");
-  says(with_link(R"(<mass value="1"/><inertia ixx="1" iyy="1" izz="3"/>)"),
-       "principal moments 1, 1 and 3 kg m^2");
   says(with_link(R"(<origin rpy="0 90 0"/><mass value="1"/>)"),
        "an angle of 90, expected radians: 1.5708, if");
-  says(good + "", "read without a word");
+  says(good, "read without a word");
   says(urdf("type=\"continuous\">",
             R"(<joint name="elbow" type="fixed"><parent link="base"/><child link="lower"/></joint>)"),
        "link lower on two joints");
+}
+
+TEST_CASE("an inertia that no body has is said, and does no harm") {
+  for (const auto& [inertia, words] :
+       {std::pair(R"(ixx="1" iyy="-2" izz="1")",
+                  "inertia of l: a principal moment of -2 kg m^2, as no body has"),
+        std::pair(R"(ixx="1" iyy="1" izz="3")",
+                  "a principal moment of 3 kg m^2, larger than 1 and 1 together")}) {
+    const SpatialArm read = arm_of(
+        "m.urdf",
+        urdf(
+            "type=\"continuous\">",
+            R"(<link name="l"><inertial><mass value="2"/><inertia )" + std::string(inertia) +
+                R"(/></inertial></link><joint name="k" type="fixed"><parent link="tool"/><child link="l"/></joint>)"));
+    CHECK(remarks(read, words));
+    CHECK(read.nominal.arm.links[1].mass == 2);
+  }
 }
 
 TEST_CASE("bodies that are tied close a loop, unless no joint of the arm moves between them") {
