@@ -91,7 +91,7 @@ InitialGuesses initial_guesses_of_order(const Study& study, const Hypothesis& fi
   const std::vector<Element> elements =
       in_order(fitted.parameters.data() + first, own.size() / row.element_size, row.element_size);
   constexpr double weak = 0.25;  // of a sizeable effect
-  InitialGuesses guesses{{}, 4};
+  InitialGuesses guesses{{}, 2};
   for (const std::vector<Element>& way :
        ranges.size() < own.size() ? one_fewer(elements) : one_more(elements, weak * ranges[0].scale)) {
     std::vector<double> start(fitted.parameters.begin(), begin);

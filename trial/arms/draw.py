@@ -3,6 +3,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from aliases import aliases
 from causes import INSIDE, LOADED, OUTSIDE, PULLED, STATIC, TURNING
 from experiment import clean_readings, draw_bench, held_out, strength, with_noise
 from shapes import SHAPES
@@ -35,6 +36,7 @@ class Drawn:
     noise: str
     noise_scale: float
     family: str
+    equivalent: list
     later: object = None  # other poses of the same bench, without noise, and what the points then do
     later_readings: list = None
 
@@ -95,8 +97,9 @@ def attempt(shape, family, only, random):
         return None
     readings = clean_readings(bench, truth_with(shape, planted))
     noisy, kind, scale = with_noise(bench, readings, random)
+    alike = aliases(bench, nominal, readings, planted[0]) if family == ONE else []
     later = held_out(bench, random)
-    return Drawn(bench, noisy, planted, strength(bench, readings, nominal), kind, scale, family, later,
+    return Drawn(bench, noisy, planted, strength(bench, readings, nominal), kind, scale, family, alike, later,
                  clean_readings(later, truth_with(shape, planted), after=True))
 
 

@@ -3,7 +3,7 @@
 
     published.py measurements.csv OUT
 
-writes OUT/left.csv and OUT/right.csv: the nineteen commanded angles and the place of the hand's marker in the tracker's frame. The file is
+writes OUT/marker_1.csv and OUT/marker_2.csv: the nineteen commanded angles and the place of the marker on one hand in the tracker's frame. The file is
 dataset/measurements.csv of github.com/dlr-alr/dlr-elastic-calibration. The nominal kinematics are published as a picture: who has typed them
 adds them as [[arm.joint]], and leaves the columns of the joints out that are not on the way to the hand.
 """
@@ -26,7 +26,7 @@ def numbers(text, count, line):
 
 
 def read_measurements(file):
-    """Commanded angles, rad, and the places of the right and the left hand's marker, m, by pose."""
+    """Commanded angles, rad, and the places of the two hands' markers, m, by pose."""
     with open(file, newline="") as source:
         rows = list(csv.DictReader(source))
     angles = np.array([numbers(row["joints"], JOINTS, i + 2) for i, row in enumerate(rows)])
@@ -45,7 +45,7 @@ def main():
     angles, hands = read_measurements(sys.argv[1])
     out = pathlib.Path(sys.argv[2])
     out.mkdir(parents=True, exist_ok=True)
-    for name, places in zip(("right", "left"), (hands[:, 0], hands[:, 1])):
+    for name, places in zip(("marker_1", "marker_2"), (hands[:, 0], hands[:, 1])):
         write_table(out / f"{name}.csv", angles, places)
     print(f"{len(angles)} poses")
 

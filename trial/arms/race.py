@@ -23,6 +23,7 @@ from plumbline_corrected import plumbline_blames_and_errors
 from read_experiment import read_experiment
 
 BLAMED = 5.0  # standard errors
+ALL = "all"
 
 
 def predicted(arm, experiment, turned):
@@ -136,7 +137,8 @@ def blames(names, z):
 def start(folder, label, experiment, later):
     nominal = predicted(PlainArm.of_shape(experiment.shape), later, later.commands)[0]
     truth = [e["id"] + (f"({e['joint']})" if e["joint"] else "") for e in label["effects"]]
-    return {"name": folder.name, "truth": truth, "family": label["family"], "nominal": error_of(later, nominal)}
+    return {"name": folder.name, "truth": truth, "family": label["family"],
+            "alike": [one[0] for one in label["equivalent"]], "nominal": error_of(later, nominal)}
 
 
 def race(folder, later_folder, label, plumbline, row):
@@ -158,14 +160,35 @@ def race(folder, later_folder, label, plumbline, row):
     return row
 
 
+# What a racer's parameter is called where it is the truth.
+MEANS = {"joint_zero": ["zero"], "joint_stiffness": ["stiffness", "gain"], "link_mass": ["mass"],
+         "link_centre": ["centre x", "centre y", "centre z"]}
+
+
+def right_names(truth):
+    if truth == "tool_offset":
+        return {"tool x", "tool y", "tool z"}
+    kind, _, place = truth.partition("(")
+    return {f"{name}({place}" for name in MEANS.get(kind, [])}
+
+
+def blames_wrongly(row, racer):
+    """Whether it blames, or for Plumbline identifies, what is not the truth."""
+    said = row[racer + " blames"]
+    if racer == "plumbline":
+        return said[0] == "identified" and sorted(said[1:]) not in [sorted(row["truth"]), *([one] for one in row["alike"])]
+    right = set().union(*map(right_names, row["truth"]))
+    return any(words.rsplit(" ", 1)[0] not in right for words in said)
+
+
 def table(rows, racers):
-    """Median error at held-out poses by family, and how often each blames something."""
-    lines = ["| family | n | nominal | " + " | ".join(racers) + " | blames something: " + " | ".join(racers) + " |",
+    """Median error at held-out poses by family, and how often each blames what is not the truth."""
+    lines = ["| family | n | error: nominal | " + " | ".join(racers) + " | blames wrongly: " + " | ".join(racers) + " |",
              "| --- |" + " ---: |" * (2 + 2 * len(racers))]
-    for family in sorted({row["family"] for row in rows}):
-        own = [row for row in rows if row["family"] == family]
+    for family in [*sorted({row["family"] for row in rows}), ALL]:
+        own = [row for row in rows if family in (row["family"], ALL)]
         medians = [np.median([row[key] for row in own if row[key] is not None] or [np.nan]) for key in ("nominal", *racers)]
-        blamed = [sum(bool(row[racer + " blames"]) for row in own) for racer in racers]
+        blamed = [sum(blames_wrongly(row, racer) for row in own) for racer in racers]
         lines.append(f"| {family} | {len(own)} | " + " | ".join(f"{m:.2f}" for m in medians) + " | " + " | ".join(map(str, blamed)) + " |")
     return "\n".join(lines)
 

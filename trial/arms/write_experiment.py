@@ -66,5 +66,5 @@ def label(name, drawn):
                 "parameters": {k: float(v) for k, v in one.parameters.items()}, "strength_sigma": round(one.strength, 3)} for one in drawn.planted]
     words = "; ".join(one.cause.words for one in drawn.planted if one.cause.words)
     family = f"outside: {words}" if words else drawn.family
-    return json.dumps({"name": name, "effects": effects, "equivalent": [], "strength_sigma": round(drawn.strength, 3), "family": family,
+    return json.dumps({"name": name, "effects": effects, "equivalent": [[one] for one in drawn.equivalent], "strength_sigma": round(drawn.strength, 3), "family": family,
                        "noise": drawn.noise, "noise_scale": drawn.noise_scale, "description": words, "channel": ""}, indent=1)
