@@ -32,9 +32,9 @@ Isometry3d motion_of(const ReadJoint& joint, const Vector3d& axis, double coordi
   return by;
 }
 
-class Builder {
+class ArmBuilder {
  public:
-  Builder(const ReadModel& model, const std::string& source, const ArmEnds& ends)
+  ArmBuilder(const ReadModel& model, const std::string& source, const ArmEnds& ends)
       : model_(model), source_(source), path_(model, source, ends) {}
 
   SpatialArm result() {
@@ -174,7 +174,7 @@ class Builder {
 }  // namespace
 
 SpatialArm spatial_arm(const ReadModel& model, const std::string& source, const ArmEnds& ends) {
-  return Builder(model, source, ends).result();
+  return ArmBuilder(model, source, ends).result();
 }
 
 }  // namespace plumbline::exchange
