@@ -17,7 +17,7 @@ namespace {
 using namespace test;
 
 /// Sums of a dozen turned places of a metre or so, in double precision.
-constexpr double rounding = 1e-12;
+constexpr double frame_rounding = 1e-12;
 
 SpatialArm arm_of(const std::string& name, const std::string& text, const ArmEnds& ends = {}) {
   const Folder folder;
@@ -25,7 +25,7 @@ SpatialArm arm_of(const std::string& name, const std::string& text, const ArmEnd
   return read_arm(folder / name, ends);
 }
 
-std::string answer_to(const std::string& name, const std::string& text, const ArmEnds& ends = {}) {
+std::string arm_answer_to(const std::string& name, const std::string& text, const ArmEnds& ends = {}) {
   try {
     static_cast<void>(arm_of(name, text, ends));
   } catch (const Error& error) {
@@ -54,15 +54,15 @@ void check_as_in(ArmInMujoco& mujoco, const SpatialArm& read, const Tip& tip) {
   for (int k = 0; k < 3; ++k) {
     const std::vector<double> q = drawn_coordinates(own.joint.size());
     mujoco.move(own.joint, q);
-    RC_ASSERT(apart(tip(mujoco), tip_pose(own.arm, q)) < rounding);
+    RC_ASSERT(apart(tip(mujoco), tip_pose(own.arm, q)) < frame_rounding);
     const double change = energy(own.arm, q) - energy(own.arm, zero);
     // dozens of kilograms by metres by gravity: hundreds of joules
-    RC_ASSERT(std::abs(mujoco.energy() - at_zero - change) < 1e3 * rounding);
+    RC_ASSERT(std::abs(mujoco.energy() - at_zero - change) < 1e3 * frame_rounding);
   }
 }
 
 /// A model of two hinges and a slide; `more` goes into the joint elbow.
-std::string urdf(const std::string& more, const std::string& rest = "") {
+std::string arm_urdf(const std::string& more, const std::string& rest = "") {
   return R"(<robot name="r"><link name="base"/><link name="upper"/><link name="lower"/><link name="tool"/>
 <joint name="shoulder" type="revolute"><parent link="base"/><child link="upper"/><axis xyz="0 0 1"/><limit lower="-3" upper="3" effort="1" velocity="1"/></joint>
 <joint name="elbow" )" +
@@ -137,7 +137,7 @@ TEST_CASE("servos and springs are compliances; limits, friction and names are th
 }
 
 TEST_CASE("the base is the root, the tip what is named as one, or the only or farthest last link") {
-  const std::string two = urdf("type=\"continuous\">");
+  const std::string two = arm_urdf("type=\"continuous\">");
   CHECK(arm_of("m.urdf", two).nominal.tip == "tool");
   CHECK(arm_of("m.urdf", two).nominal.base == "base");
   CHECK(arm_of("m.urdf", two, {"upper", ""}).nominal.joint == std::vector<std::string>{"elbow"});
@@ -148,32 +148,33 @@ TEST_CASE("the base is the root, the tip what is named as one, or the only or fa
 <joint name="j" type="continuous"><parent link="stand"/><child link="a"/></joint>
 <joint name="g1" type="prismatic"><parent link="a"/><child link="f1"/></joint>
 <joint name="g2" type="prismatic"><parent link="a"/><child link="f2"/><mimic joint="g1"/></joint></robot>)";
-  CHECK(holds(answer_to("m.urdf", gripper), "2 possible tips of an arm, expected one by its name: f1, f2"));
+  CHECK(
+      holds(arm_answer_to("m.urdf", gripper), "2 possible tips of an arm, expected one by its name: f1, f2"));
   const SpatialArm held = arm_of("m.urdf", gripper, {"", "a"});
   CHECK(held.nominal.base == "stand");
   CHECK(remarks(held, "held where the model draws them: g1, g2"));
-  CHECK(holds(answer_to("m.urdf", gripper, {"", "f2"}), "joint g2: found a joint that follows g1"));
+  CHECK(holds(arm_answer_to("m.urdf", gripper, {"", "f2"}), "joint g2: found a joint that follows g1"));
 }
 
 TEST_CASE("what is no serial arm is refused in a line") {
   const auto says = [](const std::string& text, const std::string& words, const ArmEnds& ends = {}) {
-    const std::string said = answer_to("m.urdf", text, ends);
+    const std::string said = arm_answer_to("m.urdf", text, ends);
     CAPTURE(said);
     CHECK(holds(said, words));
   };
-  says(urdf("type=\"planar\">"), "joint elbow: found the type planar, expected revolute");
-  says(urdf("type=\"floating\">"), "joint elbow: found a body that floats");
-  says(urdf("type=\"revolute\"><mimic joint=\"shoulder\"/>"), "a joint that follows shoulder");
-  says(urdf("type=\"revolute\"><axis xyz=\"0 0 0\"/>"), "an axis of no length");
-  says(urdf("type=\"revolute\"><limit lower=\"2\" upper=\"-2\"/>"), "limits from 2 to -2");
-  says(urdf("type=\"revolute\"><limit lower=\"-170\" upper=\"170\"/>"),
+  says(arm_urdf("type=\"planar\">"), "joint elbow: found the type planar, expected revolute");
+  says(arm_urdf("type=\"floating\">"), "joint elbow: found a body that floats");
+  says(arm_urdf("type=\"revolute\"><mimic joint=\"shoulder\"/>"), "a joint that follows shoulder");
+  says(arm_urdf("type=\"revolute\"><axis xyz=\"0 0 0\"/>"), "an axis of no length");
+  says(arm_urdf("type=\"revolute\"><limit lower=\"2\" upper=\"-2\"/>"), "limits from 2 to -2");
+  says(arm_urdf("type=\"revolute\"><limit lower=\"-170\" upper=\"170\"/>"),
        "a limit of -170 rad, expected -2.96706, if");
-  const std::string good = urdf("type=\"continuous\">");
+  const std::string good = arm_urdf("type=\"continuous\">");
   says(good, "no body or frame gripper, expected one of base, upper, lower, tool", {"", "gripper"});
   says(good, "no joint between link lower and link tool", {"lower", "tool"});
   says(good, "none carries the other", {"lower", "upper"});
   const auto with_link = [](const std::string& inertial) {
-    return urdf(
+    return arm_urdf(
         "type=\"continuous\">",
         R"(<link name="l"><inertial>)" + inertial +
             R"(</inertial></link><joint name="k" type="fixed"><parent link="tool"/><child link="l"/></joint>)");
@@ -182,8 +183,8 @@ TEST_CASE("what is no serial arm is refused in a line") {
   says(with_link(R"(<origin rpy="0 90 0"/><mass value="1"/>)"),
        "an angle of 90, expected radians: 1.5708, if");
   says(good, "read without a word");
-  says(urdf("type=\"continuous\">",
-            R"(<joint name="elbow" type="fixed"><parent link="base"/><child link="lower"/></joint>)"),
+  says(arm_urdf("type=\"continuous\">",
+                R"(<joint name="elbow" type="fixed"><parent link="base"/><child link="lower"/></joint>)"),
        "link lower on two joints");
 }
 
@@ -195,7 +196,7 @@ TEST_CASE("an inertia that no body has is said, and does no harm") {
                   "a principal moment of 3 kg m^2, larger than 1 and 1 together")}) {
     const SpatialArm read = arm_of(
         "m.urdf",
-        urdf(
+        arm_urdf(
             "type=\"continuous\">",
             R"(<link name="l"><inertial><mass value="2"/><inertia )" + std::string(inertia) +
                 R"(/></inertial></link><joint name="k" type="fixed"><parent link="tool"/><child link="l"/></joint>)"));
@@ -211,10 +212,10 @@ TEST_CASE("bodies that are tied close a loop, unless no joint of the arm moves b
 <body name="f"><joint name="g"/><geom size="0.1"/></body></body></body></worldbody><equality>)" +
            constraint + "</equality></mujoco>";
   };
-  CHECK(holds(answer_to("m.xml", arm(R"(<connect name="rod" body1="a" body2="f" anchor="0 0 0"/>)")),
+  CHECK(holds(arm_answer_to("m.xml", arm(R"(<connect name="rod" body1="a" body2="f" anchor="0 0 0"/>)")),
               "a closed loop: connect rod ties link 2 of the arm to link 1"));
-  CHECK(holds(answer_to("m.xml", arm(R"(<weld body1="b"/>)")), "link 2 of the arm to the base"));
-  CHECK(holds(answer_to("m.xml", arm(R"(<joint joint1="k" joint2="j"/>)")), "a joint that follows j"));
+  CHECK(holds(arm_answer_to("m.xml", arm(R"(<weld body1="b"/>)")), "link 2 of the arm to the base"));
+  CHECK(holds(arm_answer_to("m.xml", arm(R"(<joint joint1="k" joint2="j"/>)")), "a joint that follows j"));
   CHECK(arm_of("m.xml", arm(R"(<connect body1="b" body2="f" anchor="0 0 0"/>)")).nominal.joint.size() == 2);
   CHECK(arm_of("m.xml", arm(R"(<weld body1="b" active="false"/>)")).nominal.joint.size() == 2);
 }
