@@ -291,7 +291,7 @@ q = { column = ["q1", "q2"], absolute = true }
   CHECK(first.q == std::vector<double>{0.25, 0.5});
   CHECK(second.q[0] == 0.5);
   CHECK(std::isnan(second.q[1]));
-  REQUIRE(samples.origins.size() == 7);
+  REQUIRE(samples.origins.size() == 9);  // commanded angles among them
   CHECK(samples.origins[place_t].source.empty());
   CHECK(samples.origins[place_x].source == "x");
   CHECK(samples.origins[place_x].what == "x");
