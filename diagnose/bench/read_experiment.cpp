@@ -368,6 +368,7 @@ ReadFile files_of(const fs::path& folder) {
   };
 }
 
+/// What is planned, before anything is measured.
 Experiment as_bench(Experiment planned) {
   Experiment bench = unmeasured(std::move(planned));
   require_bench(bench);

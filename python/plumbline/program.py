@@ -53,7 +53,7 @@ def verify(paper: PathLike | None = None, *, section: str | None = None, claim: 
     :param paper: another paper, by the folder that states its claims (docs/papers.md)
     """
     import pandas
-    words = ["verify", "--json", *([] if paper is None else [os.fspath(paper)])]
+    words = ["verify", *([] if paper is None else [os.fspath(paper)]), "--json"]
     for option, value in (("--section", section), ("--claim", claim), ("--precision", precision)):
         if value is not None:
             words += [option, str(value)]
