@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <plumbline/base/error.hpp>
 #include <set>
+#include <utility>
 
 #include "diagnose/exchange/planar_chain.hpp"
 #include "support/files/printable.hpp"
@@ -14,6 +15,11 @@ namespace plumbline::exchange {
 namespace {
 
 constexpr std::size_t names_in_an_error = 8;
+
+/// Whether it is an object of its own, held by nothing.
+bool lies_about(const ReadJoint& joint) {
+  return joint.motion == JointMotion::free && joint.carrier.empty();
+}
 
 std::string listed(const ReadModel& model, const std::vector<std::size_t>& frames) {
   std::vector<std::string> names;
@@ -64,7 +70,7 @@ std::vector<std::size_t> ArmPath::possible_tips() const {
   for (std::size_t f = 0; f < model_.frames.size(); ++f) {
     const ReadFrame& one = model_.frames[f];
     const std::size_t joint = numbers_.of(one.carrier);
-    if (joint == model_.joints.size() || model_.joints[joint].motion == JointMotion::free) continue;
+    if (joint == model_.joints.size() || lies_about(model_.joints[joint])) continue;
     if (names_an_end(one.name)) named.push_back(f);
     if (one.is_body() && !carry.contains(one.name)) last.push_back(f);
   }

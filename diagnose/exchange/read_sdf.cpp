@@ -65,7 +65,7 @@ class SdfReader {
     const xml_node axis = own.element.child("axis"), dynamics = axis.child("dynamics"),
                    limit = axis.child("limit");
     if (!axis && joint.motion == JointMotion::hinge) throw Error(place(own), "no <axis>", "one");
-    joint.axis = frame_of_axis(name, own) * direction_of(axis, own);
+    joint.axis = tree_.pose(tree_.frame_of_axis(name)).linear() * direction_of(axis, own);
     joint.stiffness = number(dynamics, "spring_stiffness", 0, own);
     joint.rest = number(dynamics, "spring_reference", 0, own);
     joint.friction = number(dynamics, "friction", 0, own);
@@ -94,18 +94,6 @@ class SdfReader {
         xyz ? vector_in(xyz.text().get(), place(own) + ": xyz") : Vector3d(Vector3d::UnitZ());
     if (!(along.norm() > 1e-14)) throw Error(place(own), "an axis of no length", "a direction");
     return along;
-  }
-
-  /// Until 1.4 axes counted in the frame of the model, later where a switch says so.
-  [[nodiscard]] Eigen::Matrix3d frame_of_axis(const std::string& name, const Part& own) const {
-    const xml_node axis = own.element.child("axis");
-    if (const auto frame = axis.child("xyz").attribute("expressed_in"); frame && *frame.value() != '\0')
-      return tree_.pose(tree_.resolved(frame.value(), own.scope)).linear();
-    const std::string of_model = axis.child("use_parent_model_frame").text().get();
-    constexpr int first_in_own_frame = 5;
-    if (of_model == "true" || of_model == "1" || tree_.version() < first_in_own_frame)
-      return tree_.pose(tree_.resolved("__model__", own.scope)).linear();
-    return tree_.pose(name).linear();
   }
 
   void add_link(const std::string& name, const Part& own) {

@@ -44,12 +44,15 @@ class SdfTree {
   [[nodiscard]] std::string holder_of(const std::string& link) const;
   /// The name that a child element has, as the model has it.
   [[nodiscard]] std::string named_by(const Part& part, const char* child) const;
+  /// The part in whose frame a part's pose is said; empty for that of the model.
+  [[nodiscard]] std::string base_of(const Part& part) const;
+  /// The part in whose frame the axis of a joint is said; empty for that of the model.
+  [[nodiscard]] std::string frame_of_axis(const std::string& joint) const;
 
  private:
   void find_model();
   void add_parts(pugi::xml_node holder, const std::string& scope);
   void find_holders();
-  [[nodiscard]] std::string base_of(const Part& part) const;
   [[nodiscard]] const Part& part(const std::string& name) const;
 
   std::string file_;

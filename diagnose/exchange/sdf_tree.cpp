@@ -119,6 +119,17 @@ std::string SdfTree::base_of(const Part& one) const {
   return resolved(kind == "frame" ? one.element.attribute("attached_to").value() : "", one.scope);
 }
 
+/// Until 1.4 axes counted in the frame of the model, later where a switch says so.
+std::string SdfTree::frame_of_axis(const std::string& joint) const {
+  const Part& own = part(joint);
+  const xml_node axis = own.element.child("axis");
+  if (const auto frame = axis.child("xyz").attribute("expressed_in"); frame && *frame.value() != '\0')
+    return resolved(frame.value(), own.scope);
+  constexpr int first_in_own_frame = 5;
+  const bool of_model = is_on(axis, "use_parent_model_frame") || version_ < first_in_own_frame;
+  return of_model ? resolved("__model__", own.scope) : joint;
+}
+
 Isometry3d SdfTree::pose(const std::string& name) const {
   std::vector<const Part*> open;
   std::vector<std::string> names;
