@@ -23,8 +23,8 @@ diagnose::Experiment experiment_of(const ExperimentInput& input);
 /// The bench before any measurement.
 diagnose::Experiment bench_of(const ExperimentInput& input);
 
-/// The file of the nominal model: that of --model, or the one that experiment.toml names for an arm; empty where
-/// there is none.
+/// The file of the nominal model: that of --model, or the one that experiment.toml names for an arm; empty
+/// where there is none.
 std::filesystem::path model_file(const ExperimentInput& input);
 
 /// The decimated experiment or bench, with the user's effects among the candidates.

@@ -220,7 +220,8 @@ std::vector<Proposal> next_runs(const Study& study, const std::vector<Hypothesis
                                 const NoiseEstimate& noise, std::size_t count, Aim aim) {
   constexpr std::size_t most_shapes = 12;
   Planner planner(study, hypotheses, noise);
-  if (study.experiment().arm) planner.add_poses();
+  if (study.experiment().arm)
+    planner.add_poses();
   else
     for (const Shape& shape : shapes(study.experiment(), most_shapes)) planner.add_runs_from(shape);
   return planner.best(count, aim);

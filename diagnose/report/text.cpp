@@ -84,8 +84,8 @@ std::string where(const Diagnosis& diagnosis) {
             "\n";
   if (!places.joints.empty())
     text += "  joints:   " +
-            largest(places.joints, 4, [](const JointShare& one) { return std::to_string(one.joint); }) + " (" +
-            joint_evidence_words(places.joint_evidence) + ")\n";
+            largest(places.joints, 4, [](const JointShare& one) { return std::to_string(one.joint); }) +
+            " (" + joint_evidence_words(places.joint_evidence) + ")\n";
   return text;
 }
 
