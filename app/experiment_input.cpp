@@ -9,6 +9,8 @@
 #include "diagnose/exchange/read_model.hpp"
 #include "diagnose/rig/user_effects/read_effects.hpp"
 #include "support/files/experiment_files.hpp"
+#include "support/files/text_file.hpp"
+#include "support/files/toml_file.hpp"
 
 namespace plumbline::app {
 namespace {
@@ -50,6 +52,14 @@ diagnose::Experiment bench_of(const ExperimentInput& input) {
   const diagnose::NominalChain* const nominal = model ? &*model : nullptr;
   return input.folder.empty() ? diagnose::read_plan(example_folder, example_file, nominal)
                               : diagnose::read_plan(input.folder, nominal);
+}
+
+std::filesystem::path model_file(const ExperimentInput& input) {
+  if (!input.model.empty() || input.folder.empty()) return input.model;
+  const std::filesystem::path folder = input.folder, settings = folder / "experiment.toml";
+  const toml::table table = files::parse_toml(files::read_text(settings), settings.string());
+  const auto file = table["arm"]["model"].value<std::string>();
+  return file ? folder / *file : std::filesystem::path();
 }
 
 diagnose::Study study_of(const ExperimentInput& input, const diagnose::Experiment& experiment) {

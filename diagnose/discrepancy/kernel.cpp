@@ -163,7 +163,8 @@ class Kernel {
   /// At two values of the block.
   [[nodiscard]] double operator()(Eigen::Index i, Eigen::Index j) const {
     const ReadingPlace &p = place(i), &q = place(j);
-    const CommandState &a = states_.of[p.run][p.reading], &b = states_.of[q.run][q.reading], rest;
+    const CommandState &a = states_.of[p.run][p.reading], &b = states_.of[q.run][q.reading];
+    static const CommandState rest;
     const bool knows_rest = states_.knows_rest[p.run];
     double common = smooth(a, b), own = 0;
     if (knows_rest) common -= smooth(a, rest) * smooth(rest, b);

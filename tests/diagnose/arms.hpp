@@ -9,6 +9,7 @@
 
 #include "diagnose/bench/read_arm.hpp"
 #include "diagnose/inference/study.hpp"
+#include "tests/diagnose/bench.hpp"
 
 namespace plumbline::diagnose::test {
 
