@@ -34,7 +34,8 @@ SerialArm<double> soft_arm() {
 }
 
 std::vector<double> numbers_of(const std::string& code, const Folder& folder) {
-  const files::Ended ended = files::run_program({PLUMBLINE_SYSTEM_PYTHON, "-c", code}, "", std::nullopt, folder / "");
+  const files::Ended ended =
+      files::run_program({PLUMBLINE_SYSTEM_PYTHON, "-c", code}, "", std::nullopt, folder / "");
   REQUIRE_MESSAGE(ended.failure.empty(), ended.err);
   std::istringstream out(ended.out);
   return {std::istream_iterator<double>(out), {}};
