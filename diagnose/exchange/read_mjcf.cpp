@@ -126,8 +126,8 @@ class MjcfReader {
   }
 
   void tie(xml_node constraint) {
-    ReadLoop loop{std::string(constraint.name()) + " " + files::shown(constraint.attribute("name").value()),
-                  {}};
+    const std::string name = constraint.attribute("name").value();
+    ReadLoop loop{constraint.name() + (name.empty() ? "" : " " + files::shown(name)), {}};
     for (std::size_t i = 0; i < 2; ++i) {
       const std::string number = std::to_string(i + 1);
       const auto body = constraint.attribute(("body" + number).c_str()),

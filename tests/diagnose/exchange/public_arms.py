@@ -32,6 +32,8 @@ def row(program, model):
     """A row of the table, or none for what is no arm."""
     status, said = read(program, model)
     if status:
+        if "found no joint" in said:
+            return "short", ""
         reason = re.sub(r"^.*?: found ", "", said).replace(", expected", "; expected")
         return "refused", reason[:170].replace("|", "/")
     joints = re.findall(r"^kind = \"(\w)", said, re.MULTILINE)

@@ -214,7 +214,8 @@ TEST_CASE("bodies that are tied close a loop, unless no joint of the arm moves b
   };
   CHECK(holds(arm_answer_to("m.xml", arm(R"(<connect name="rod" body1="a" body2="f" anchor="0 0 0"/>)")),
               "a closed loop: connect rod ties link 2 of the arm to link 1"));
-  CHECK(holds(arm_answer_to("m.xml", arm(R"(<weld body1="b"/>)")), "link 2 of the arm to the base"));
+  CHECK(holds(arm_answer_to("m.xml", arm(R"(<weld body1="b"/>)")),
+              "a closed loop: weld ties link 2 of the arm to the base"));
   CHECK(holds(arm_answer_to("m.xml", arm(R"(<joint joint1="k" joint2="j"/>)")), "a joint that follows j"));
   CHECK(arm_of("m.xml", arm(R"(<connect body1="b" body2="f" anchor="0 0 0"/>)")).nominal.joint.size() == 2);
   CHECK(arm_of("m.xml", arm(R"(<weld body1="b" active="false"/>)")).nominal.joint.size() == 2);
