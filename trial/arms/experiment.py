@@ -108,7 +108,7 @@ def clean_readings(bench, truth, after=False):
 
     What changes in the course of the session has all changed where the readings come `after` it.
     """
-    arm, shape = TrueArm(bench.shape, truth), bench.shape
+    arm = TrueArm(bench.shape, truth)
     total = sum(len(run.commands) for run in bench.runs)
     done, result = 0, []
     for run in bench.runs:

@@ -1,30 +1,14 @@
-"""The true arm in MuJoCo: its departures from the nominal model as bodies, joints, springs and tendons, and its equilibria."""
+"""Equilibria of the true arm, by MuJoCo's forces or, with memory, by its dynamics."""
 import mujoco
 import numpy as np
 
-from model_files import inertia, quaternion, rotation, rotation_about, text
+from model_files import quaternion, rotation_about
+from true_model import STEP, document
 from truth import Truth
 
-MOVE, HOLD, STEP = 2.0, 1.0, 0.004  # s: of a motion between two poses, of the rest after it, of a time step
+MOVE, HOLD = 2.0, 1.0  # s: of a motion between two poses, of the rest after it
 BEAT = 10  # steps between two commands of the servos
-HEAVY = 5e-4  # s^2: inertia over stiffness of what rubs, so that MuJoCo's soft friction sticks
-RIGID = f'solimpfriction="0.9999 0.9999 0.001" solreffriction="{2 * STEP} 1"'
-LOOSE_TOOL = 0.3  # kg: the tool behind a loose flange
-STOP = 3000.0  # N m/rad: a flange that has tipped as far as it can
 AT_REST = 1e-9  # rad or m: a smaller step is none
-
-
-def fine_joint(name, kind, axis, stiffness):
-    """A spring about zero that the nominal model lacks."""
-    return f'<joint name="{name}" type="{kind}" axis="{text(axis)}" stiffness="{stiffness:.12g}" armature="0.01"/>'
-
-
-def across(direction):
-    """Two unit vectors across a direction."""
-    first = np.cross(direction, np.eye(3)[np.argmin(np.abs(direction))])
-    first /= np.linalg.norm(first)
-    return first, np.cross(direction, first)
-
 
 mujoco.set_mju_user_warning(lambda text: None)  # of steps of Newton's method that went too far; what fails is told by its residual
 
@@ -34,7 +18,7 @@ class TrueArm:
 
     def __init__(self, shape, truth):
         self.shape, self.truth = shape, truth
-        self.model = mujoco.MjModel.from_xml_string(self.document())
+        self.model = mujoco.MjModel.from_xml_string(document(shape, truth))
         self.data = mujoco.MjData(self.model)
         joint = [self.model.joint(link.joint) for link in shape.links]
         self.dof = np.array([j.dofadr[0] for j in joint])
@@ -50,100 +34,6 @@ class TrueArm:
         stiffness[self.dof] = self.model.actuator_gainprm[:, 0]
         stiffness[stiffness == 0] = 1.0
         return stiffness
-
-    # the document
-
-    def document(self):
-        truth, shape = self.truth, self.shape
-        base = rotation_about(truth.base_tilt)
-        lines = ['<mujoco><compiler angle="radian"/><option gravity="0 0 -9.81" timestep="%g" integrator="implicitfast"/>' % STEP,
-                 '<size memory="4M"/><worldbody>', *self.world(),
-                 f'<body name="base" pos="{text(truth.base_shift)}" quat="{text(quaternion(base))}">']
-        lines += [fine_joint(f"base_{a}", "hinge", np.eye(3)[a], 1 / c) for a, c in enumerate(truth.base_compliance) if c > 0]
-        lines.append('<inertial pos="0 0 0" mass="1e-6" diaginertia="1e-6 1e-6 1e-6"/>')
-        if truth.gas_spring:
-            lines.append(f'<site name="gas_base" pos="{text(truth.gas_spring[2])}"/>')
-        bodies = 1
-        for i in range(shape.size):
-            lines += self.link(i)
-            bodies += 1 + len(self.bent(i))
-            lines += self.bent(i)
-        lines += self.tool() + ["</body>"] * bodies
-        return "\n".join(lines + ["</worldbody>", *self.tendons(), *self.actuators(), "</mujoco>"])
-
-    def world(self):
-        truth, lines = self.truth, []
-        if truth.cable:
-            lines.append(f'<site name="cable_world" pos="{text(truth.cable[2])}"/>')
-        for i, (stiffness, torque) in truth.belt.items():
-            kind, axis = self.shape.links[i].kind, "0 0 1"
-            lines.append(f'<body name="belt_body_{i}" pos="0 0 -9"><inertial pos="0 0 0" mass="{1e-3}" diaginertia="1e-3 1e-3 1e-3"/>'
-                         f'<joint name="belt_{i}" type="{kind}" axis="{axis}" frictionloss="{torque}" {RIGID}'
-                         f' armature="{stiffness * HEAVY}" damping="{stiffness / 20}"/></body>')
-        return lines
-
-    def link(self, i):
-        truth, link = self.truth, self.shape.links[i]
-        start = np.array(link.place) + truth.shift[i]
-        if i > 0 and (i - 1) in truth.bending:
-            start = start - np.array(link.place) / 2  # the bent link's second half begins at its middle
-        turn = rotation(link.turn) @ rotation_about(truth.tilt[i])
-        mass = link.mass * (1 + truth.heavier[i])
-        friction = f' frictionloss="{truth.friction[i]}" {RIGID} armature="{link.stiffness * HEAVY}"' if truth.friction[i] > 0 else ""
-        lines = [f'<body name="link_{i + 1}" pos="{text(start)}" quat="{text(quaternion(turn))}">',
-                 f'<inertial pos="{text(np.array(link.centre) + truth.centre[i])}" mass="{mass:.12g}" diaginertia="{text([inertia(link)] * 3)}"/>']
-        lines.append(f'<joint name="{link.joint}" type="{link.kind}" axis="{text(link.axis)}"{friction}/>')
-        for name, point in self.anchors(i):
-            lines.append(f'<site name="{name}" pos="{text(point)}"/>')
-        return lines
-
-    def anchors(self, i):
-        truth = self.truth
-        held = [("gas_link", truth.gas_spring), ("cable_link", truth.cable)]
-        return [(name, element[4]) for name, element in held if element and element[3] == i]
-
-    def bent(self, i):
-        """A link that bends as a cantilever tube of rigidity EI: hinges of L/EI in its middle, slides of L^3/(12 EI), a twist of 1.3 L/EI."""
-        if i not in self.truth.bending:
-            return []
-        reach = np.array(self.shape.links[i + 1].place if i + 1 < self.shape.size else self.shape.tip)
-        length, rigidity = np.linalg.norm(reach), self.truth.bending[i]
-        joints = [fine_joint(f"twist_{i}", "hinge", reach / length, rigidity / length / 1.3)]
-        for a, axis in enumerate(across(reach / length)):
-            joints += [fine_joint(f"bend_{i}_{a}", "hinge", axis, rigidity / length),
-                       fine_joint(f"sag_{i}_{a}", "slide", axis, 12 * rigidity / length**3)]
-        return [f'<body name="half_{i}" pos="{text(reach / 2)}"><inertial pos="0 0 0" mass="1e-6" diaginertia="1e-6 1e-6 1e-6"/>' + "".join(joints)]
-
-    def tool(self):
-        truth = self.truth
-        last = self.shape.size - 1
-        tip = np.array(self.shape.tip) + truth.tip_shift
-        if last in truth.bending:
-            tip = tip - np.array(self.shape.tip) / 2
-        if truth.loose_flange == 0 and truth.payload == 0:
-            return [f'<site name="tip" pos="{text(tip)}"/>']
-        hinge = f'<joint name="flange" type="hinge" axis="0 1 0" armature="0.01" stiffness="{STOP}"/>' if truth.loose_flange > 0 else ""
-        mass = 1e-6 + truth.payload + (LOOSE_TOOL if truth.loose_flange > 0 else 0)
-        return [f'<body name="tool">{hinge}<inertial pos="{text(tip)}" mass="{mass}" diaginertia="1e-4 1e-4 1e-4"/>'
-                f'<site name="tip" pos="{text(tip)}"/></body>']
-
-    def tendons(self):
-        truth, lines = self.truth, []
-        if truth.gas_spring:
-            lines.append(f'<spatial name="gas" stiffness="{truth.gas_spring[0]}" springlength="{truth.gas_spring[1]}"><site site="gas_base"/><site site="gas_link"/></spatial>')
-        if truth.cable:
-            lines.append(f'<spatial name="cable" stiffness="{truth.cable[0]}" springlength="0 {truth.cable[1]}"><site site="cable_world"/>'
-                         f'<site site="cable_link"/></spatial>')
-        for i, (stiffness, _) in truth.belt.items():
-            lines.append(f'<fixed name="belt_{i}" stiffness="{stiffness}"><joint joint="{self.shape.links[i].joint}" coef="1"/>'
-                         f'<joint joint="belt_{i}" coef="-1"/></fixed>')
-        return ["<tendon>", *lines, "</tendon>"] if lines else []
-
-    def actuators(self):
-        k = self.shape.stiffness * (1 + self.truth.softer)
-        return ["<actuator>", *[f'<position joint="{link.joint}" kp="{k[i]:.12g}"/>' for i, link in enumerate(self.shape.links)], "</actuator>"]
-
-    # the statics
 
     def set_reading(self, share):
         """What has changed by this share of the readings."""
@@ -240,6 +130,8 @@ class TrueArm:
 
     def settle(self, q, turned_path, forces):
         """The equilibria with memory: MuJoCo's dynamics, each motion slow and damped, from rest at q. Joint positions by pose."""
+        if self.truth.play:
+            raise ArithmeticError("play in motion, of which nothing here knows the way")
         model, data = self.model, self.data
         self.damp(q)
         data.qpos[:], data.qvel[:] = q, 0

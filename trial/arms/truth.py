@@ -56,8 +56,8 @@ class Truth:
     force_bias: np.ndarray = zeros(3)
 
     def __post_init__(self):
-        for name, width in (("zero", 0), ("gear", 0), ("softer", 0), ("hardening", 0), ("friction", 0), ("heavier", 0), ("angle_bias", 0), ("angle_scale", 0), ("shift", 3),
-                            ("tilt", 3), ("centre", 3)):
+        for name, width in (("zero", 0), ("gear", 0), ("softer", 0), ("hardening", 0), ("friction", 0), ("heavier", 0), ("angle_bias", 0),
+                            ("angle_scale", 0), ("shift", 3), ("tilt", 3), ("centre", 3)):
             if getattr(self, name) is None:
                 setattr(self, name, np.zeros((self.size, width) if width else self.size))
 

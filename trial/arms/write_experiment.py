@@ -1,8 +1,6 @@
 """An experiment as files: experiment.toml, the nominal model, a table by run, and the label."""
 import json
 
-import numpy as np
-
 from model_files import nominal_model
 
 
@@ -63,8 +61,9 @@ def write_experiment(folder, name, bench, readings):
 
 def label(name, drawn):
     effects = [{"id": one.cause.id, "joint": one.place + 1 if one.place >= 0 else None,
-                "parameters": {k: float(v) for k, v in one.parameters.items()}, "strength_sigma": round(one.strength, 3)} for one in drawn.planted]
+                "parameters": {k: float(v) for k, v in one.parameters.items()}, "strength_sigma": round(one.strength, 3)}
+               for one in drawn.planted]
     words = "; ".join(one.cause.words for one in drawn.planted if one.cause.words)
     family = f"outside: {words}" if words else drawn.family
-    return json.dumps({"name": name, "effects": effects, "equivalent": [[one] for one in drawn.equivalent], "strength_sigma": round(drawn.strength, 3), "family": family,
-                       "noise": drawn.noise, "noise_scale": drawn.noise_scale, "description": words, "channel": ""}, indent=1)
+    return json.dumps({"name": name, "effects": effects, "equivalent": [[one] for one in drawn.equivalent],
+                       "strength_sigma": round(drawn.strength, 3), "family": family, "noise": drawn.noise, "noise_scale": drawn.noise_scale, "description": words, "channel": ""}, indent=1)
