@@ -103,11 +103,11 @@ def diagnose_folders(folders: Iterable[PathLike], *, model: Model | None = None,
     :param folders: two or more
     :param reports: a folder in which the report and the page of each are kept, and interrupted work continues
     """
-    folders = list(folders)
-    if len(folders) < 2:
-        raise Error(f"diagnose_folders: found {len(folders)} folders, expected two or more: diagnose_folder takes one")
+    places = list(folders)
+    if len(places) < 2:
+        raise Error(f"diagnose_folders: found {len(places)} folders, expected two or more: diagnose_folder takes one")
     file = ModelFile(model)
-    found: dict[str, Any] = json.loads(run("diagnose", *folders, "--json", "-",
+    found: dict[str, Any] = json.loads(run("diagnose", *places, "--json", "-",
                                            *_given(model=file.path, effects=effects, reports=reports)))
     return found
 
