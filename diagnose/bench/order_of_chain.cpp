@@ -8,10 +8,6 @@
 namespace plumbline::diagnose {
 namespace {
 
-void scale(std::vector<double>& values, double factor) {
-  for (double& value : values) value *= factor;
-}
-
 void reverse(std::vector<double>& list) {
   std::reverse(list.begin(), list.end());
 }
@@ -34,7 +30,7 @@ struct FromEnd {
   void operator()(Experiment& e) const {
     const auto reverse_angles = [this](std::vector<double>& angles) {
       reverse(angles);
-      scale(angles, sense);
+      for (double& angle : angles) angle *= sense;
     };
     if (lengths) reverse(e.link_length);
     if (springs) reverse(e.joint_stiffness);
