@@ -38,7 +38,7 @@ models=(libmujoco-dev libsdformat-dev)
 python=(
   pybind11-dev python3-dev python3-numpy python3-pip python3-setuptools python3-wheel python3-venv
   # what it uses where it finds it, and its notebooks
-  python3-pandas python3-matplotlib python3-mpmath jupyter-nbconvert python3-ipykernel
+  python3-pandas python3-matplotlib python3-mpmath python3-openpyxl jupyter-nbconvert python3-ipykernel
 )
 # the site: the reference
 docs=(doxygen)

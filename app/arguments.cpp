@@ -91,6 +91,15 @@ CLI::Validator one_of(const std::vector<std::string>& words) {
           list};
 }
 
+CLI::Option* as_pair(CLI::Option* option, const std::string& names) {
+  // a word behind them is no value, but the verb's file
+  return option->type_name(names)->delimiter(',')->expected(2)->allow_extra_args(false);
+}
+
+std::vector<std::string> names_in(const std::string& list) {
+  return list.empty() ? std::vector<std::string>{} : CLI::detail::split(list, ',');
+}
+
 CLI::Option* add_output(CLI::App& verb, const std::string& name, std::string& path, const std::string& what,
                         const std::string& type) {
   return verb.add_option(name, path, what)->type_name(type)->group(output_group);

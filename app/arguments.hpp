@@ -19,6 +19,12 @@ CLI::Validator number(double low = std::numeric_limits<double>::lowest(),
 CLI::Validator something();
 CLI::Validator one_of(const std::vector<std::string>& words);
 
+/// Makes an option one of two values with a comma between them.
+/// \param names  of the values, as --help shows them
+CLI::Option* as_pair(CLI::Option* option, const std::string& names);
+/// The names in a list with commas between them; none in an empty text.
+std::vector<std::string> names_in(const std::string& list);
+
 /// An option that names a file or a folder to write.
 CLI::Option* add_output(CLI::App& verb, const std::string& name, std::string& path, const std::string& what,
                         const std::string& type = "FILE");

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "app/arguments.hpp"
 #include "app/progress.hpp"
 #include "app/verbs.hpp"
 #include "diagnose/exchange/read_model.hpp"
@@ -12,12 +13,12 @@ namespace {
 
 struct ChainOptions {
   std::string file;
-  std::vector<std::string> joints;
+  std::string joints;
 };
 
 exchange::PlanarChain chain_in(const ChainOptions& options) {
   const Progress progress("chain", 0);
-  return exchange::read_model(options.file, options.joints);
+  return exchange::read_model(options.file, names_in(options.joints));
 }
 
 void run(const ChainOptions& options) {
@@ -42,8 +43,7 @@ void add_chain(CLI::App& app) {
   verb->add_option("--joints", options->joints,
                    "The joints that make the chain, by the names of the model, with commas between them; the "
                    "others are held where the model draws them. Without it: all")
-      ->type_name("NAMES")
-      ->delimiter(',');
+      ->type_name("NAMES");
   verb->callback([options] { run(*options); });
 }
 

@@ -23,8 +23,9 @@ using diagnose::Run;
 
 const char* si_unit(const std::string& what) {
   if (what == "t") return "s";
+  if (what == "torque") return "N m";
   if (what[0] == 'F') return "N";
-  return what[0] == 'q' ? "rad" : "m";
+  return what[0] == 'q' || what == "angle" ? "rad" : "m";
 }
 
 /// \param joints  of the chain
@@ -69,16 +70,32 @@ std::string column_line(const Experiment& experiment, const Run& run, std::size_
   return line + fmt::format(", noise {:.3g} {}\n", noise_of(experiment.noise, column), si_unit(origin.what));
 }
 
+/// "temperature  T, 20.1 to 24.3, 55 of 60 readings interpolated".
+std::string covariate_line(const Run& run, std::size_t covariate, const Origin& origin) {
+  double least = INFINITY, most = -INFINITY;
+  for (const diagnose::Reading& reading : run.readings) {
+    least = std::min(least, reading.covariates[covariate]);
+    most = std::max(most, reading.covariates[covariate]);
+  }
+  std::string line = fmt::format("    {} {:<22} {:.4g} to {:.4g}", origin.what, origin.source, least, most);
+  if (const std::size_t count = run.interpolated[covariate]; count > 0)
+    line += fmt::format(", {} of {} readings interpolated in time", count, run.readings.size());
+  return line + "\n";
+}
+
 std::string nominal_lines(const Experiment& experiment) {
   const auto unit = [&](const std::string& key) {
     const auto one = std::find_if(experiment.origins.begin(), experiment.origins.end(),
                                   [&](const Origin& origin) { return origin.what == key; });
     return one == experiment.origins.end() || one->in_si == 1 ? std::string() : ", written in " + one->unit;
   };
-  std::string text = fmt::format("  link_length      {:.6g} m{}\n", fmt::join(experiment.link_length, ", "),
-                                 unit("link_length"));
-  text += fmt::format("  joint_stiffness  {:.6g} N m/rad{}\n", fmt::join(experiment.joint_stiffness, ", "),
-                      unit("joint_stiffness"));
+  std::string text = experiment.alone == diagnose::Alone::no
+                         ? fmt::format("  link_length      {:.6g} m{}\n",
+                                       fmt::join(experiment.link_length, ", "), unit("link_length"))
+                         : std::string("  a joint alone\n");
+  text +=
+      fmt::format("  joint_stiffness  {:.6g} {}{}\n", fmt::join(experiment.joint_stiffness, ", "),
+                  experiment.alone == diagnose::Alone::slides ? "N/m" : "N m/rad", unit("joint_stiffness"));
   if (std::any_of(experiment.link_mass.begin(), experiment.link_mass.end(), [](double m) { return m > 0; }))
     text += fmt::format("  link_mass        {:.6g} kg{}\n", fmt::join(experiment.link_mass, ", "),
                         unit("link_mass"));
@@ -89,19 +106,29 @@ std::string what_was_read(const Experiment& experiment) {
   std::string text = experiment.name + "\n\nThe nominal chain\n" + nominal_lines(experiment) + "\nThe runs\n";
   for (const Run& run : experiment.runs) {
     text += fmt::format("  {}: {} imposed, {} readings{}\n", run.id,
-                        run.commands_joints()   ? "the joints' commands are"
-                        : run.holds_end_point() ? "the end point is"
-                        : run.weights_inferred  ? "the force, assumed to be that of weights, is"
-                                                : "the force is",
+                        run.commands_joints()              ? "the joints' commands are"
+                        : run.alone != diagnose::Alone::no ? "the " + run.imposed().front().label() + " is"
+                        : run.holds_end_point()            ? "the end point is"
+                        : run.weights_inferred             ? "the force, assumed to be that of weights, is"
+                                                           : "the force is",
                         run.readings.size(), run.turns_back() ? ", there and back" : "");
-    if (!run.commands_joints()) text += fmt::format("    rest {:.4g} rad\n", fmt::join(run.rest, ", "));
-    for (std::size_t c = 0; c < run.origins.size(); ++c) {
+    if (!run.commands_joints())
+      text += fmt::format("    rest {:.4g} {}\n", fmt::join(run.rest, ", "),
+                          run.alone == diagnose::Alone::slides ? "m" : "rad");
+    if (!run.continued_by.empty())
+      text += fmt::format("    {} goes on where it ends, in time and command: read as one run\n",
+                          fmt::join(run.continued_by, ", "));
+    const std::size_t channels = run.origins.size() - experiment.covariates.size();
+    for (std::size_t c = 0; c < channels; ++c) {
       const std::string& what = run.origins[c].what;
-      const bool there = what.starts_with("q_command") ? run.commands_joints()
-                         : what[0] == 'q'              ? !run.readings.front().q.empty()
-                                                       : true;
+      const bool there = what.starts_with("q_command")      ? run.commands_joints()
+                         : what[0] == 'q'                   ? !run.readings.front().q.empty()
+                         : run.alone != diagnose::Alone::no ? what != "y" && what != "Fy"
+                                                            : true;
       if (there) text += column_line(experiment, run, c);
     }
+    for (std::size_t c = channels; c < run.origins.size(); ++c)
+      text += covariate_line(run, c - channels, run.origins[c]);
   }
   return text;
 }

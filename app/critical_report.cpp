@@ -100,9 +100,10 @@ std::string loss_text(const CriticalModes& result) {
 
 std::string as_text(const CriticalModes& result) {
   if (result.loss) return loss_text(result);
-  std::size_t wide = 14, shape = 7;
+  std::size_t wide = 14, energy = 22, shape = 7;
   for (const proofs::CriticalMode& mode : result.modes) {
     wide = std::max(wide, mode.force.size() + 2);
+    energy = std::max(energy, mode.energy_factor.size() + 2);
     shape = std::max(shape, shape_name(mode.signs).size() + 2);
   }
   std::string text = heading(result) + "\n";
@@ -110,11 +111,11 @@ std::string as_text(const CriticalModes& result) {
                       has_unit_compression(result.data) ? "force" : "factor of the loads",
                       result.modes[0].force, shape_name(result.modes[0].signs));
   if (result.beam) text.insert(text.size() - 1, as_rod(result, result.modes[0].force));
-  text +=
-      fmt::format("mode  {:<{}}{:<22}{:<{}}{}\n", "force", wide, "energy factor", "shape", shape, "signs");
+  text += fmt::format("mode  {:<{}}{:<{}}{:<{}}{}\n", "force", wide, "energy factor", energy, "shape", shape,
+                      "signs");
   for (std::size_t m = 0; m < result.modes.size(); ++m) {
     const proofs::CriticalMode& mode = result.modes[m];
-    text += fmt::format("{:4}  {:<{}}{:<22}{:<{}}{}\n", m + 1, mode.force, wide, mode.energy_factor,
+    text += fmt::format("{:4}  {:<{}}{:<{}}{:<{}}{}\n", m + 1, mode.force, wide, mode.energy_factor, energy,
                         shape_name(mode.signs), shape, brief_signs(mode.signs));
   }
   text += "\nmode  joint angles q1 ... qn and lateral force Fy, up to a common factor\n";

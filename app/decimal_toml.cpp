@@ -11,6 +11,13 @@
 namespace plumbline::app {
 namespace {
 
+/// Whether text is written as a decimal, whatever its exponent.
+bool is_decimal(const std::string& text) {
+  const std::size_t e = text.find_first_of("eE");
+  return proofs::parse_decimal(text.substr(0, e)) &&
+         (e == std::string::npos || proofs::parse_decimal(text.substr(e + 1)));
+}
+
 /// One number of a list. What the chain would refuse is refused here, where the text is still known.
 Rational parse_number(const std::string& text, const std::string& list, std::size_t i) {
   const auto refuse = [&](const std::string& why, const std::string& expected) {
@@ -18,7 +25,7 @@ Rational parse_number(const std::string& text, const std::string& list, std::siz
                 text.empty() ? "nothing" : files::shown(text) + why, expected);
   };
   auto value = proofs::parse_decimal(text);
-  if (!value) refuse("", "a decimal number");
+  if (!value) refuse("", is_decimal(text) ? "an exponent from -100000 to 100000" : "a decimal number");
   if ((list.ends_with("lengths") || list.ends_with("link_length")) && *value <= 0)
     refuse(", which is not positive", "a positive length");
   if (list.ends_with("stiffness") && *value < 0) refuse(", which is negative", "zero (passive) or positive");
@@ -86,7 +93,7 @@ std::string quote_decimals(const std::string& text) {
     const std::string token = text.substr(at, end - at);
     std::string digits = token;
     std::erase(digits, '_');  // TOML groups digits with it
-    proofs::parse_decimal(digits) ? result.decimal(digits) : result.other(token);
+    is_decimal(digits) ? result.decimal(digits) : result.other(token);
     at = end;
   }
   return result.text();

@@ -83,7 +83,7 @@ void run_diagnosis(const DiagnoseOptions& options, const CLI::App& verb) {
   if (!options.as_is) require_conventions(study);
   const diagnose::Diagnosis diagnosis = with_progress(
       "diagnosis", [&](const auto& show) { return diagnose::diagnose(study, show, options.next); });
-  if (corrected.wanted()) corrected.write(exchange::corrected_models(study, diagnosis, options.model));
+  if (corrected.wanted()) corrected.write(exchange::corrected_models(study, diagnosis, model_file(input)));
   nlohmann::ordered_json report = as_json(diagnosis);
   if (corrected.wanted()) report["corrected"] = corrected.as_json();
   const page::Provenance& from = outputs.provenance();

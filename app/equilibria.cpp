@@ -295,15 +295,17 @@ void add_equilibria(CLI::App& app) {
       "equilibria", "All equilibria of a chain at a deflection or under a force: shape, force, energy, type");
   const auto options = std::make_shared<EquilibriaOptions>();
   options->chain.add_to(*verb);
-  const auto pair = [&](const char* flag, std::vector<std::string>& target, const char* names,
-                        const char* what) {
-    return verb->add_option(flag, target, what)->type_name(names)->delimiter(',')->expected(2);
-  };
-  auto* at = pair("--at", options->at, "DX,DY",
-                  "The unloaded end point moved by DX against x (compression is positive) and by DY along y");
+  auto* at =
+      as_pair(verb->add_option(
+                  "--at", options->at,
+                  "The unloaded end point moved by DX against x (compression is positive) and by DY along y"),
+              "DX,DY");
   auto* place =
-      pair("--end-point", options->place, "X,Y", "Instead: the end point held at (X, Y)")->excludes(at);
-  pair("--force", options->force, "FX,FY", "Instead: a force on the end point; compression has FX < 0")
+      as_pair(verb->add_option("--end-point", options->place, "Instead: the end point held at (X, Y)"), "X,Y")
+          ->excludes(at);
+  as_pair(verb->add_option("--force", options->force,
+                           "Instead: a force on the end point; compression has FX < 0"),
+          "FX,FY")
       ->excludes(at)
       ->excludes(place);
   verb->add_option("--factor", options->factor_text,

@@ -9,6 +9,8 @@
 #include "diagnose/exchange/read_model.hpp"
 #include "diagnose/rig/user_effects/read_effects.hpp"
 #include "support/files/experiment_files.hpp"
+#include "support/files/text_file.hpp"
+#include "support/files/toml_file.hpp"
 
 namespace plumbline::app {
 namespace {
@@ -17,6 +19,10 @@ std::string example_file(const std::string& name, const std::string&) {
   std::map<std::string, std::string> files;
   for (const auto& [known, text] : example_files) files.emplace(known, text);
   return files.at(name);
+}
+
+diagnose::NominalArm arm_of(const std::string& file, const std::string& base, const std::string& tip) {
+  return exchange::read_arm(file, {base, tip}).nominal;
 }
 
 constexpr const char* example_folder = "docs/examples/experiment";
@@ -38,7 +44,7 @@ diagnose::Experiment experiment_of(const ExperimentInput& input) {
   const std::optional<diagnose::NominalChain> model = model_of(input);
   const diagnose::NominalChain* const nominal = model ? &*model : nullptr;
   return input.folder.empty() ? diagnose::read_experiment(example_folder, example_file, nominal)
-                              : diagnose::read_experiment(input.folder, nominal);
+                              : diagnose::read_experiment(input.folder, nominal, arm_of);
 }
 
 diagnose::Experiment bench_of(const ExperimentInput& input) {
@@ -48,10 +54,19 @@ diagnose::Experiment bench_of(const ExperimentInput& input) {
                               : diagnose::read_plan(input.folder, nominal);
 }
 
+std::filesystem::path model_file(const ExperimentInput& input) {
+  if (!input.model.empty() || input.folder.empty()) return input.model;
+  const std::filesystem::path folder = input.folder, settings = folder / "experiment.toml";
+  const toml::table table = files::parse_toml(files::read_text(settings), settings.string());
+  const auto file = table["arm"]["model"].value<std::string>();
+  return file ? folder / *file : std::filesystem::path();
+}
+
 diagnose::Study study_of(const ExperimentInput& input, const diagnose::Experiment& experiment) {
-  return diagnose::study_with(decimated(experiment), input.effects.empty()
-                                                         ? std::vector<diagnose::StatedEffect>{}
-                                                         : diagnose::read_effects(input.effects));
+  return diagnose::study_with(decimated(experiment),
+                              input.effects.empty()
+                                  ? std::vector<diagnose::StatedEffect>{}
+                                  : diagnose::read_effects(input.effects, experiment.covariates));
 }
 
 }  // namespace plumbline::app

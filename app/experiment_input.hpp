@@ -23,6 +23,10 @@ diagnose::Experiment experiment_of(const ExperimentInput& input);
 /// The bench before any measurement.
 diagnose::Experiment bench_of(const ExperimentInput& input);
 
+/// The file of the nominal model: that of --model, or the one that experiment.toml names for an arm; empty
+/// where there is none.
+std::filesystem::path model_file(const ExperimentInput& input);
+
 /// The decimated experiment or bench, with the user's effects among the candidates.
 /// \throws Error where one of them is undefined along the nominal model's runs
 diagnose::Study study_of(const ExperimentInput& input, const diagnose::Experiment& experiment);

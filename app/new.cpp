@@ -6,6 +6,7 @@
 #include <memory>
 #include <plumbline/base/error.hpp>
 
+#include "app/arguments.hpp"
 #include "app/drafted_folder.hpp"
 #include "app/terminal.hpp"
 #include "app/verbs.hpp"
@@ -19,8 +20,8 @@ namespace {
 namespace fs = std::filesystem;
 
 struct NewOptions {
-  std::string folder, model;
-  std::vector<std::string> joints, tables;
+  std::string folder, model, joints;
+  std::vector<std::string> tables;
   bool yes = false;
 };
 
@@ -53,7 +54,7 @@ void run(const NewOptions& options) {
   std::vector<diagnose::DraftFile> tables;
   for (const std::string& table : options.tables)
     tables.push_back({fs::path(table).filename().string(), files::read_text(table)});
-  const ReadForDraft read = read_for_draft(options.model, options.joints);
+  const ReadForDraft read = read_for_draft(options.model, names_in(options.joints));
   const fs::path name = folder.has_filename() ? folder.filename() : folder.parent_path().filename();
   const diagnose::Draft draft = diagnose::draft_experiment(files::printable(name.string()), read.model,
                                                            tables, ask_on_terminal(options));
@@ -89,8 +90,7 @@ void add_new(CLI::App& app) {
   verb->add_option(
           "--joints", options->joints,
           "The joints of the model that make the chain, with commas between them; the others are held")
-      ->type_name("NAMES")
-      ->delimiter(',');
+      ->type_name("NAMES");
   verb->add_flag("--yes", options->yes, "Ask nothing, also on a terminal");
   verb->footer("Exit status 1 where something is left that a person has to say: it is written at the end.");
   verb->callback([options] { run(*options); });

@@ -136,13 +136,11 @@ void add_path(CLI::App& app) {
   auto* dy = verb->add_option("--dy", options->dy, "and by DY along y, in proportion")
                  ->check(number())
                  ->type_name("DY");
-  verb->add_option(
-          "--force", options->force,
-          "Instead: load the end point with a force that grows from zero to (FX, FY); compression has FX < 0")
-      ->type_name("FX,FY")
+  as_pair(verb->add_option("--force", options->force,
+                           "Instead: load the end point with a force that grows from zero to (FX, FY); "
+                           "compression has FX < 0"),
+          "FX,FY")
       ->check(number())
-      ->delimiter(',')
-      ->expected(2)
       ->excludes(to)
       ->excludes(dy);
   verb->add_option(

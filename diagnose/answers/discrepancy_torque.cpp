@@ -38,6 +38,7 @@ double smallest_torque(const MatrixXd& response, const VectorXd& values) {
 
 double discrepancy_torque(const Study& study, const Hypothesis& found, const VectorXd& delta) {
   const MatrixXd response = responses(study, rig_with(study, found.candidate, found.parameters));
+  if (response.cols() == 0) return 0;  // rigid joints carry any torque
   std::map<std::pair<std::size_t, std::size_t>, std::vector<Eigen::Index>> values;
   for (std::size_t i = 0; i < study.measurements().size(); ++i) {
     const ReadingPlace& place = study.measurements().places()[i];

@@ -53,6 +53,11 @@ GapAnswer describe_gap(const Study& study, const NoiseEstimate& noise, const Vec
       gap.interference.push_back({runs[one.run].id, channel, one.period, rms});
   for (const Run& run : runs) {
     if (run.weights_inferred) gap.taken_for_weights.push_back(run.id);
+    if (!run.continued_by.empty()) gap.continued.push_back({run.id, run.continued_by});
+    for (std::size_t c = 0; c < run.interpolated.size(); ++c)
+      if (run.interpolated[c] > 0)
+        gap.interpolated.push_back({run.id, study.experiment().covariates[c], run.interpolated[c],
+                                    run.last_taken(run.readings.size() - 1) + 1});
     if (run.branch) gap.other_branch.push_back({run.id, run.first_taken(run.branch->first())});
   }
   return gap;

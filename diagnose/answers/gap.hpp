@@ -44,6 +44,18 @@ struct ChannelInterference {
   double rms;     ///< declared sigmas
 };
 
+/// A run that was written as several (continued_runs.hpp).
+struct ContinuedRun {
+  std::string run;
+  std::vector<std::string> by;  ///< ids of its later parts
+};
+
+/// A covariate without a value at some readings of a run, interpolated in time.
+struct InterpolatedCovariate {
+  std::string run, covariate;
+  std::size_t count, of;  ///< such readings, and all
+};
+
 struct GapAnswer {
   bool present = false;
   double probability = 0;         ///< that there is one
@@ -53,6 +65,8 @@ struct GapAnswer {
   /// Runs whose forces were taken for those of weights, since they look like it (Run::weights_inferred).
   std::vector<std::string> taken_for_weights;
   std::vector<OtherBranch> other_branch;
+  std::vector<ContinuedRun> continued;
+  std::vector<InterpolatedCovariate> interpolated;
   std::vector<NoisierReadings> noisier;
   std::vector<ChannelInterference> interference;
 };

@@ -35,4 +35,13 @@ std::vector<JointShare> shares_by_causes(const Study& study, const std::vector<R
   return joint_shares(weight);
 }
 
+std::vector<JointShare> shares_by_names(const Study& study, const std::vector<RankedCause>& causes) {
+  std::vector<double> weight(study.scales().link_length.size(), 0.0);
+  double sum = 0;
+  for (const RankedCause& cause : causes)
+    for (const EffectAt& at : cause.cause.effects)
+      if (at.joint > 0) weight[at.joint - 1] += cause.probability, sum += cause.probability;
+  return sum > 0 ? joint_shares(weight) : std::vector<JointShare>{};
+}
+
 }  // namespace plumbline::diagnose

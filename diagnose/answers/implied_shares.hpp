@@ -13,4 +13,7 @@ std::vector<JointShare> shares_by_unknown_torques(const Study& study, const Find
 /// The squared torque that causes add at each joint, over those causes by their probability, largest first.
 std::vector<JointShare> shares_by_causes(const Study& study, const std::vector<RankedCause>& causes);
 
+/// The probability of each joint to be named by explanations, over that of any; empty where they name none.
+std::vector<JointShare> shares_by_names(const Study& study, const std::vector<RankedCause>& causes);
+
 }  // namespace plumbline::diagnose

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <optional>
 
@@ -48,8 +49,14 @@ Missing torque(const Study& study, std::size_t joint) {
   return missing;
 }
 
+/// A coordinate of the command over which a residual may be told.
+struct Abscissa {
+  std::string label, unit;
+  std::function<double(const Reading&)> of;
+};
+
 /// The commanded channel that moves most over the runs of one control: they share it as their abscissa.
-Channel abscissa(const Experiment& experiment, const Run& like) {
+Channel moves_most(const Experiment& experiment, const Run& like) {
   const auto spread = [&](const Channel& one) {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const Run& run : experiment.runs) {
@@ -61,21 +68,34 @@ Channel abscissa(const Experiment& experiment, const Run& like) {
     }
     return high - low;
   };
-  const auto [first, second] = like.imposed();
-  return spread(second) > spread(first) ? second : first;
+  const std::vector<Channel> imposed = like.imposed();
+  return *std::max_element(imposed.begin(), imposed.end(),
+                           [&](const Channel& a, const Channel& b) { return spread(a) < spread(b); });
 }
 
-Missing channel(const Study& study, const NoiseEstimate& noise, const Channel& of) {
-  const auto carries = [&](const Series& series) { return series.channel == of; };
-  const auto& all = study.measurements().series();
-  const auto first = std::find_if(all.begin(), all.end(), carries);
-  const Run& like = study.experiment().runs[first->run];
-  const Channel over = abscissa(study.experiment(), like);
-  Missing missing{of.label(), std::string(of.unit()), over.label(), std::string(over.unit()), {}, 0, 0, 0};
+/// Of a chain in the plane the one along which it is commanded, of an arm the commands of its joints.
+std::vector<Abscissa> abscissae(const Experiment& experiment, const Run& like) {
+  if (!experiment.arm) {
+    const Channel over = moves_most(experiment, like);
+    return {{over.label(), std::string(over.unit()),
+             [over](const Reading& reading) { return over.of(reading); }}};
+  }
+  std::vector<Abscissa> all;
+  for (std::size_t j = 0; j < experiment.arm->arm.size(); ++j) {
+    const bool slides = experiment.arm->arm.links[j].kind == JointKind::prismatic;
+    all.push_back({"the command of " + experiment.arm->joint[j], slides ? "m" : "rad",
+                   [j](const Reading& reading) { return reading.rest[j]; }});
+  }
+  return all;
+}
+
+Missing channel_over(const Study& study, const NoiseEstimate& noise, const Channel& of, Control control,
+                     const Abscissa& over) {
+  Missing missing{of.label(), std::string(of.unit()), over.label, over.unit, {}, 0, 0, 0};
   const VectorXd residual = study.nominal_residual();
-  for (const Series& series : all) {
+  for (const Series& series : study.measurements().series()) {
     const Run& run = study.experiment().runs[series.run];
-    if (!carries(series) || run.control != like.control) continue;
+    if (series.channel != of || run.control != control) continue;
     std::vector<double> command;
     for (const Reading& reading : run.readings) command.push_back(over.of(reading));
     const std::vector<bool> down = falling(command);
@@ -158,8 +178,20 @@ Missing describe_missing(const Study& study, const NoiseEstimate& noise, const W
   Missing missing;
   if (where.joint_evidence == JointEvidence::measured && where.joints.front().share > 0.5)
     missing = torque(study, where.joints.front().joint);
-  if (missing.points.empty()) missing = channel(study, noise, where.channels.front().channel);
-  describe(missing);
+  if (!missing.points.empty()) {
+    describe(missing);
+    return missing;
+  }
+  const Channel& of = where.channels.front().channel;
+  const auto& all = study.measurements().series();
+  const auto first =
+      std::find_if(all.begin(), all.end(), [&](const Series& one) { return one.channel == of; });
+  const Run& like = study.experiment().runs[first->run];
+  for (const Abscissa& over : abscissae(study.experiment(), like)) {
+    Missing one = channel_over(study, noise, of, like.control, over);
+    describe(one);
+    if (missing.points.empty() || one.by_position > missing.by_position) missing = std::move(one);
+  }
   return missing;
 }
 

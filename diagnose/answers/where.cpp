@@ -46,6 +46,7 @@ std::vector<RunShare> by_run(const Study& study, const VectorXd& excess) {
 
 std::vector<PathShare> along_path(const Study& study, const VectorXd& excess) {
   std::vector<PathShare> shares;
+  if (study.experiment().arm) return shares;  // poses are no path
   for (std::size_t r = 0; r < study.experiment().runs.size(); ++r) {
     const Run& run = study.experiment().runs[r];
     const std::vector<Regime> regime = regimes(run, study.nominal().runs[r]);
@@ -74,6 +75,8 @@ std::string joint_evidence_words(JointEvidence evidence) {
       return "of the measured torque residual";
     case JointEvidence::implied_by_fits:
       return "of the torque that the explanation adds";
+    case JointEvidence::named_by_fits:
+      return "probability of being named, over that of any joint";
     case JointEvidence::implied_by_law:
       break;
   }

@@ -25,9 +25,9 @@ struct PathShare {
 };
 
 /// What the joints' shares stand on: the missing torque that measured joint angles show; the missing torque
-/// that the explanations found would show; or the chance of each joint to be the one place of an unknown
-/// torque.
-enum class JointEvidence { measured, implied_by_fits, implied_by_law };
+/// that the explanations found would show; the chance of each joint to be named by them; or to be the one
+/// place of an unknown torque.
+enum class JointEvidence { measured, implied_by_fits, named_by_fits, implied_by_law };
 
 /// The same in words.
 std::string joint_evidence_words(JointEvidence evidence);
@@ -35,8 +35,8 @@ std::string joint_evidence_words(JointEvidence evidence);
 struct Where {
   std::vector<ChannelShare> channels;
   std::vector<RunShare> runs;
-  std::vector<PathShare> load_path;
-  std::vector<JointShare> joints;  ///< largest first
+  std::vector<PathShare> load_path;  ///< empty for an arm in space, whose readings are poses
+  std::vector<JointShare> joints;    ///< largest first
   JointEvidence joint_evidence = JointEvidence::implied_by_law;
 };
 

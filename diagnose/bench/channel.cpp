@@ -1,61 +1,83 @@
 #include "diagnose/bench/channel.hpp"
 
+#include <array>
+
 #include "diagnose/bench/experiment.hpp"
 
 namespace plumbline::diagnose {
 
+namespace {
+
+using Name = Channel::Name;
+
+/// The place in a reading's list of points.
+std::size_t place_in_points(const Channel& channel) {
+  return 6 * (channel.joint / 3) + channel.joint % 3 + (channel.name == Name::turn ? 3 : 0);
+}
+
+}  // namespace
+
 Sensor Channel::sensor() const {
-  if (name == Name::q) return Sensor::angle;
-  return name == Name::x || name == Name::y ? Sensor::position : Sensor::force;
+  switch (name) {
+    case Name::x:
+    case Name::y:
+    case Name::place:
+      return Sensor::position;
+    case Name::Fx:
+    case Name::Fy:
+      return Sensor::force;
+    case Name::turn:
+      return Sensor::orientation;
+    case Name::torque:
+    case Name::drive:
+      return Sensor::torque;
+    case Name::q:
+    case Name::angle:
+      break;
+  }
+  return Sensor::angle;
 }
 
 std::string label(Sensor sensor) {
-  if (sensor == Sensor::position) return "position";
-  return sensor == Sensor::force ? "force" : "angle";
+  constexpr std::array words{"position", "force", "angle", "orientation", "torque"};
+  static_assert(words.size() == sensors);
+  return words[place_of(sensor)];
 }
 
 std::string label(Channel::Name name) {
-  switch (name) {
-    case Channel::Name::x:
-      return "x";
-    case Channel::Name::y:
-      return "y";
-    case Channel::Name::Fx:
-      return "Fx";
-    case Channel::Name::Fy:
-      return "Fy";
-    case Channel::Name::q:
-      break;
-  }
-  return "q";
+  constexpr std::array words{"x", "y", "Fx", "Fy", "q", "angle", "torque", "place", "r", "torque"};
+  static_assert(words.size() == channel_names);
+  return words[static_cast<std::size_t>(name)];
 }
 
 std::string Channel::label() const {
-  return diagnose::label(name) + (name == Name::q ? std::to_string(joint + 1) : "");
+  if (name == Name::q || name == Name::drive) return diagnose::label(name) + std::to_string(joint + 1);
+  if (name != Name::place && name != Name::turn) return diagnose::label(name);
+  return (name == Name::turn ? "r" : "") + std::string(1, "xyz"[joint % 3]) + std::to_string(joint / 3 + 1);
 }
 
 std::string_view Channel::unit() const {
-  switch (sensor()) {
-    case Sensor::position:
-      return "m";
-    case Sensor::force:
-      return "N";
-    case Sensor::angle:
-      break;
-  }
-  return "rad";
+  constexpr std::array<std::string_view, sensors> units{"m", "N", "rad", "rad", "N m"};
+  return units[place_of(sensor())];
 }
 
 double& Channel::in(Reading& reading) const {
   switch (name) {
     case Name::x:
+    case Name::angle:
       return reading.x;
     case Name::y:
       return reading.y;
     case Name::Fx:
+    case Name::torque:
       return reading.Fx;
     case Name::Fy:
       return reading.Fy;
+    case Name::place:
+    case Name::turn:
+      return reading.points[place_in_points(*this)];
+    case Name::drive:
+      return reading.torque[joint];
     case Name::q:
       break;
   }
@@ -67,19 +89,10 @@ double Channel::of(const Reading& reading) const {
 }
 
 double Channel::sigma(const Noise& noise) const {
-  switch (name) {
-    case Name::x:
-      return noise.x;
-    case Name::y:
-      return noise.y;
-    case Name::Fx:
-      return noise.Fx;
-    case Name::Fy:
-      return noise.Fy;
-    case Name::q:
-      break;
-  }
-  return noise.q;
+  const std::array all{noise.x, noise.y,  noise.Fx,    noise.Fy,   noise.q,
+                       noise.x, noise.Fx, noise.place, noise.turn, noise.torque};
+  static_assert(all.size() == channel_names);
+  return all[static_cast<std::size_t>(name)];
 }
 
 }  // namespace plumbline::diagnose

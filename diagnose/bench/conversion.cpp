@@ -15,6 +15,7 @@ namespace {
 
 using Names = std::vector<const char*>;
 
+const Names torques{"N m", "N mm", "N cm", "kgf cm", "lbf in"}, sliding{"N/m", "N/mm", "kgf/mm", "lbf/in"};
 const Names forces{"N", "kgf", "kN", "mN", "lbf", "gf"}, lengths{"m", "mm", "cm", "in"},
     angles_in{"rad", "deg"}, stiffnesses{"N m/rad",  "N mm/rad",   "N cm/rad",  "N m/deg",
                                          "N mm/deg", "kgf cm/rad", "kgf m/rad", "lbf in/rad"};
@@ -280,9 +281,9 @@ void add_positions(const Experiment& e, std::vector<Conversion>& all) {
   }
 }
 
-void add_units_of_chain(const Experiment& e, std::vector<Conversion>& all) {
-  const Origin stiffness = origin(e.origins, "joint_stiffness", quantity::stiffness);
-  for (const Other& unit : others(stiffnesses, quantity::stiffness, stiffness)) {
+void add_units_of_stiffness(const Experiment& e, const Names& names, const Quantity& quantity,
+                            std::vector<Conversion>& all) {
+  for (const Other& unit : others(names, quantity, origin(e.origins, "joint_stiffness", quantity))) {
     all.push_back({"joint_stiffness",
                    unit.name,
                    unit.instead_of,
@@ -292,6 +293,10 @@ void add_units_of_chain(const Experiment& e, std::vector<Conversion>& all) {
                    {},
                    [factor = unit.factor](Experiment& one) { scale(one.joint_stiffness, factor); }});
   }
+}
+
+void add_units_of_chain(const Experiment& e, std::vector<Conversion>& all) {
+  add_units_of_stiffness(e, stiffnesses, quantity::stiffness, all);
   for (const Other& unit :
        others(lengths, quantity::length, origin(e.origins, "link_length", quantity::length))) {
     const std::string remedy = "units.link_length = \"" + unit.name + "\"";
@@ -314,9 +319,55 @@ void add_units_of_chain(const Experiment& e, std::vector<Conversion>& all) {
   }
 }
 
+/// The units, decimal points and the sign of one channel of a joint alone.
+void add_channel_of_joint(const Experiment& e, const Channel& channel, const Names& names,
+                          const Quantity& quantity, std::vector<Conversion>& all) {
+  const std::string label = channel.label();
+  const Origin read = origin_of_channel(e, label, quantity);
+  const auto multiply = [channel](double factor) {
+    return [=](Run& run) {
+      for (Reading& r : run.readings) channel.in(r) *= factor;
+    };
+  };
+  const auto add = [&](const std::string& name, double factor, const std::string& unit, bool of_some) {
+    all.push_back({.what = label,
+                   .looks_like = name,
+                   .expected = read.unit,
+                   .remedy = "columns." + label + ".unit = \"" + unit + "\"",
+                   .factor = factor,
+                   .run = multiply(factor),
+                   .of_some = of_some});
+  };
+  const std::vector<Other> units = others(names, quantity, read);
+  for (const Other& unit : units) add(unit.name, unit.factor, unit.name, false);
+  for (const Other& slip : astray(read, units))
+    add("numbers " + slip.name, slip.factor, fmt::format("{} {}", slip.factor, read.unit), true);
+  all.push_back({.what = label,
+                 .looks_like = "numbers of the opposite sign",
+                 .expected = "a load that acts on the joint where it moves",
+                 .remedy = "columns." + label + ".sign = -1",
+                 .run = multiply(-1)});
+}
+
+std::vector<Conversion> conversions_of_joint(const Experiment& e) {
+  const bool slides = e.alone == Alone::slides;
+  std::vector<Conversion> all;
+  if (slides) {
+    add_channel_of_joint(e, {Channel::Name::Fx}, forces, quantity::force, all);
+    add_channel_of_joint(e, {Channel::Name::x}, lengths, quantity::length, all);
+  } else {
+    add_channel_of_joint(e, {Channel::Name::torque}, torques, quantity::torque, all);
+    add_channel_of_joint(e, {Channel::Name::angle}, angles_in, quantity::angle, all);
+  }
+  add_units_of_stiffness(e, slides ? sliding : stiffnesses,
+                         slides ? quantity::sliding_stiffness : quantity::stiffness, all);
+  return all;
+}
+
 }  // namespace
 
 std::vector<Conversion> conversions(const Experiment& experiment) {
+  if (experiment.alone != Alone::no) return conversions_of_joint(experiment);
   std::vector<Conversion> all;
   add_forces(experiment, all);
   add_angles(experiment, false, true, all);

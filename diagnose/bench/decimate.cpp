@@ -7,6 +7,7 @@
 #include <map>
 
 #include "diagnose/bench/median.hpp"
+#include "diagnose/bench/thin_poses.hpp"
 
 namespace plumbline::diagnose {
 namespace {
@@ -216,6 +217,8 @@ class Decimator {
       channel.in(one) = mean(group, [&](const Reading& reading) { return channel.of(reading); });
     for (std::size_t j = 0; j < one.rest.size(); ++j)
       one.rest[j] = mean(group, [&](const Reading& reading) { return reading.rest[j]; });
+    for (std::size_t c = 0; c < one.covariates.size(); ++c)
+      one.covariates[c] = mean(group, [&](const Reading& reading) { return reading.covariates[c]; });
     result_.readings.push_back(std::move(one));
     result_.groups.first.push_back(group.from);
     return result_.readings.back();
@@ -235,6 +238,7 @@ class Decimator {
 Experiment decimated(Experiment experiment) {
   std::size_t total = 0;
   for (const Run& run : experiment.runs) total += run.readings.size();
+  if (experiment.arm) return thinned(std::move(experiment));  // neighbouring poses have no median
   if (total <= short_enough) return experiment;
   std::map<Control, double> farthest;
   for (const Run& run : experiment.runs) farthest[run.control] = std::max(farthest[run.control], extent(run));

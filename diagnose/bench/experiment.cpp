@@ -12,8 +12,19 @@ namespace {
 
 using Name = Channel::Name;
 
-constexpr std::array<Channel, 2> place_channels{{{Name::x}, {Name::y}}};
-constexpr std::array<Channel, 2> force_channels{{{Name::Fx}, {Name::Fy}}};
+/// Where the end point is, or the joint that is alone.
+std::vector<Channel> place_channels(Alone alone) {
+  if (alone == Alone::turns) return {{Name::angle}};
+  return alone == Alone::slides ? std::vector<Channel>{{Name::x}}
+                                : std::vector<Channel>{{Name::x}, {Name::y}};
+}
+
+/// What loads it.
+std::vector<Channel> load_channels(Alone alone) {
+  if (alone == Alone::turns) return {{Name::torque}};
+  return alone == Alone::slides ? std::vector<Channel>{{Name::Fx}}
+                                : std::vector<Channel>{{Name::Fx}, {Name::Fy}};
+}
 
 }  // namespace
 
@@ -21,8 +32,10 @@ Reading between(const Reading& from, const Reading& to, double share) {
   const auto at = [share](double a, double b) { return a + share * (b - a); };
   Reading one{at(from.t, to.t),   at(from.x, to.x),   at(from.y, to.y),
               at(from.Fx, to.Fx), at(from.Fy, to.Fy), {},
-              from.rest};
+              from.rest,          from.covariates};
   for (std::size_t i = 0; i < one.rest.size(); ++i) one.rest[i] = at(from.rest[i], to.rest[i]);
+  for (std::size_t i = 0; i < one.covariates.size(); ++i)
+    one.covariates[i] = at(from.covariates[i], to.covariates[i]);
   return one;
 }
 
@@ -30,13 +43,16 @@ std::size_t Branch::first() const {
   return static_cast<std::size_t>(std::find(differs.begin(), differs.end(), true) - differs.begin());
 }
 
-std::array<Channel, 2> Run::imposed() const {
-  return holds_end_point() ? place_channels : force_channels;
+std::vector<Channel> Run::imposed() const {
+  return holds_end_point() ? place_channels(alone) : load_channels(alone);
+}
+
+std::vector<Channel> Run::answering() const {
+  return holds_end_point() ? load_channels(alone) : place_channels(alone);
 }
 
 Eigen::Vector2d Run::imposed_at(const Reading& reading) const {
-  const std::array<Channel, 2> channels = imposed();
-  return {channels[0].of(reading), channels[1].of(reading)};
+  return holds_end_point() ? Eigen::Vector2d(reading.x, reading.y) : Eigen::Vector2d(reading.Fx, reading.Fy);
 }
 
 Eigen::Vector2d Run::command(const Reading& reading) const {
@@ -95,10 +111,14 @@ double Run::sampling_interval() const {
 }
 
 std::vector<Channel> Run::measured() const {
-  const std::array<Channel, 2>& answer = holds_end_point() ? force_channels : place_channels;
-  std::vector<Channel> channels(answer.begin(), answer.end());
+  std::vector<Channel> channels = answering();
   for (std::size_t j = 0; !readings.empty() && j < readings.front().q.size(); ++j)
     channels.push_back({Name::q, j});
+  if (readings.empty()) return channels;
+  const Reading& first = readings.front();
+  for (std::size_t i = 0; i < first.points.size(); ++i)
+    channels.push_back({i % 6 < 3 ? Name::place : Name::turn, 3 * (i / 6) + i % 3});
+  for (std::size_t j = 0; j < first.torque.size(); ++j) channels.push_back({Name::drive, j});
   return channels;
 }
 

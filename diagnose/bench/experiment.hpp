@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <optional>
+#include <plumbline/arm/arm_kinematics.hpp>
 #include <plumbline/loaded/control.hpp>
 #include <string>
 #include <vector>
@@ -14,13 +15,23 @@
 
 namespace plumbline::diagnose {
 
+/// Largest number of covariates of an experiment.
+inline constexpr std::size_t most_covariates = 8;
+
 /// One reading. A missing value is NaN; imposed channels hold the command. (Fx, Fy) is the force of the
-/// environment on the end point: compression is Fx < 0.
+/// environment on the end point: compression is Fx < 0. Of a joint alone x is the angle, Fx the torque of the
+/// environment, and y and Fy are 0.
 struct Reading {
   double t, x, y, Fx, Fy;
   std::vector<double> q;  ///< relative joint angles; empty where the run has no such columns
   std::vector<double> rest =
       {};  ///< joint angles commanded at this reading; empty where those of the run hold
+  std::vector<double> covariates = {};  ///< values of Experiment::covariates, in the units of the table
+  /// Of an arm in space, else empty. Six numbers for each of its points: place, and rotation vector in the
+  /// frame of the tracker.
+  std::vector<double> points = {};
+  std::vector<double> wrench = {};  ///< on the arm, in the axes of the world: force, N, and moment, N m
+  std::vector<double> torque = {};  ///< of the drives, N m or N
 };
 
 /// The command between two readings, or beyond them, by linear interpolation; nothing is measured there.
@@ -59,18 +70,25 @@ struct Run {
   std::vector<double> rest;  ///< joint angles commanded at the first reading: the unloaded shape
   std::vector<Reading> readings;
   Groups groups = {};
-  std::size_t number = 0;            ///< of all runs of the experiment, from 0; see Experiment::run_count
-  std::vector<Origin> origins = {};  ///< of t, x, y, Fx, Fy and the joint angles; empty where it was not read
-  bool begins_moving = false;        ///< the first reading was taken on the way; else the run begins relaxed
-  bool by_weights = false;           ///< an imposed force is that of weights, not of a servo with a load cell
-  bool weights_inferred = false;     ///< by_weights follows from the forces, not from the experiment's file
+  std::size_t number = 0;  ///< of all runs of the experiment, from 0; see Experiment::run_count
+  std::vector<Origin> origins =
+      {};  ///< of t, x, y, Fx, Fy, the joint angles and covariates; empty where it was not read
+  Alone alone = Alone::no;        ///< of whose bench it is a run
+  bool begins_moving = false;     ///< the first reading was taken on the way; else the run begins relaxed
+  bool by_weights = false;        ///< an imposed force is that of weights, not of a servo with a load cell
+  bool weights_inferred = false;  ///< by_weights follows from the forces, not from the experiment's file
+  std::vector<std::string> continued_by = {};  ///< ids of runs that were read as its later parts
+  std::vector<std::size_t> interpolated = {};  ///< by covariate, the readings without a value of it
   std::optional<Branch> branch =
       std::nullopt;  ///< the observed branch, where the nominal model may take either
 
   [[nodiscard]] bool holds_end_point() const { return control == Control::end_point; }
-  /// The imposed channels, along x and along y.
-  [[nodiscard]] std::array<Channel, 2> imposed() const;
-  /// Their values at a reading: an end point, m, or a force, N.
+  /// The imposed channels, along x and along y; of a joint alone its angle or its torque.
+  [[nodiscard]] std::vector<Channel> imposed() const;
+  /// The channels that answer them.
+  [[nodiscard]] std::vector<Channel> answering() const;
+  /// Values of the imposed channels at a reading: an end point, m, or a force, N; an angle or a torque, and
+  /// 0.
   [[nodiscard]] Eigen::Vector2d imposed_at(const Reading& reading) const;
   /// Whether each reading has a command of its own to every joint, as servos get it.
   [[nodiscard]] bool commands_joints() const { return !readings.empty() && !readings.front().rest.empty(); }
@@ -99,7 +117,7 @@ struct Run {
   [[nodiscard]] bool counts_readings() const;
   /// Median interval between readings of different times, s; zero where no time passes.
   [[nodiscard]] double sampling_interval() const;
-  /// The measured channels: force or end point, whichever is not imposed, then the joint angles with columns.
+  /// The measured channels: those that answer, then the joint angles with columns.
   [[nodiscard]] std::vector<Channel> measured() const;
   /// The first and last original reading, from 0, of a decimated reading.
   [[nodiscard]] std::size_t first_taken(std::size_t reading) const;
@@ -111,6 +129,7 @@ struct Run {
 /// Declared standard deviation of one reading; 0 for a channel that has none.
 struct Noise {
   double x, y, Fx, Fy, q;
+  double place = 0, turn = 0, torque = 0;  ///< of an arm's points, m and rad, and of its drives
 };
 
 /// The known properties of the bench, whether or not the nominal model uses them.
@@ -126,6 +145,18 @@ struct Bench {
   }
 };
 
+/// A frame of an arm whose place, or pose, is measured.
+struct MeasuredPoint {
+  std::string name;
+  OnLink<double> at;
+};
+
+/// The bench of an arm in space.
+struct ArmBench {
+  std::vector<MeasuredPoint> points;
+  OnLink<double> load{0};  ///< where the wrench acts
+};
+
 /// The nominal model, the bench and the runs.
 struct Experiment : NominalChain {
   std::string name;
@@ -134,7 +165,9 @@ struct Experiment : NominalChain {
   std::vector<Run> runs;
   /// Number of all runs, with those left out since; 0 before numbering.
   std::size_t run_count = 0;
-  std::vector<Origin> origins = {};  ///< of link_length, joint_stiffness, link_mass, gravity and rest
+  std::vector<Origin> origins = {};          ///< of link_length, joint_stiffness, link_mass, gravity and rest
+  std::vector<std::string> covariates = {};  ///< names of quantities noted at each reading: "temperature"
+  ArmBench arm_bench = {};                   ///< of an arm in space
 };
 
 }  // namespace plumbline::diagnose

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "diagnose/bench/free_law.hpp"
+#include "diagnose/bench/nominal_arm.hpp"
 
 namespace plumbline::diagnose {
 
@@ -26,7 +27,12 @@ struct NominalEffect {
   [[nodiscard]] std::string label() const { return joint > 0 ? id + "(" + std::to_string(joint) + ")" : id; }
 };
 
-/// SI units, radians; lists are by link or joint.
+/// A joint alone has no links: its angle and its torque are all there is of it, or the stroke and the force
+/// of one that slides.
+enum class Alone { no, turns, slides };
+
+/// SI units, radians; lists are by link or joint. Of a joint alone the link counts as one of length 1, whose
+/// end point and force stand for the joint's angle and torque.
 struct NominalChain {
   std::vector<double> link_length, joint_stiffness, link_mass;
   std::array<double, 2> gravity{0, 0};  ///< the in-plane acceleration that it includes
@@ -34,6 +40,10 @@ struct NominalChain {
   std::vector<NominalEffect> effects;
   std::vector<FreeLaw> laws = {};  ///< what its joints carry besides, where no effect says why
   std::shared_ptr<const std::vector<Effect>> stated = nullptr;  ///< rows of the user's own, or none
+  Alone alone = Alone::no;
+  /// The arm in space whose joints and links these are; null for a chain in the plane. Lengths are then
+  /// distances along its links, and a stiffness of zero is that of a rigid joint.
+  std::shared_ptr<const NominalArm> arm = nullptr;
 
   /// Whether it has springs and weights alone.
   [[nodiscard]] bool plain() const { return effects.empty() && laws.empty(); }

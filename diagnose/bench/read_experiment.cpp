@@ -8,8 +8,12 @@
 #include <plumbline/base/error.hpp>
 #include <set>
 
+#include "diagnose/bench/continued_runs.hpp"
+#include "diagnose/bench/covariates.hpp"
 #include "diagnose/bench/read_date.hpp"
 #include "diagnose/bench/read_nominal.hpp"
+#include "diagnose/bench/read_parts.hpp"
+#include "diagnose/bench/read_poses.hpp"
 #include "diagnose/bench/read_samples.hpp"
 #include "diagnose/bench/sample_format.hpp"
 #include "diagnose/bench/unmeasured.hpp"
@@ -37,16 +41,18 @@ struct Units {
   }
 };
 
-Units read_units(const Section& root) {
+Units read_units(const Section& root, Alone alone) {
   const Section units = root.table_or_empty("units");
   units.allow_only({"link_length", "joint_stiffness", "link_mass", "gravity", "rest"});
   const auto unit = [&](const char* key, const Quantity& quantity) {
     return units.has(key) ? parse_unit(units.text(key, quantity.examples), quantity, units.place(key))
                           : si_unit(quantity);
   };
-  return {unit("link_length", quantity::length), unit("joint_stiffness", quantity::stiffness),
+  const bool slides = alone == Alone::slides;
+  return {unit("link_length", quantity::length),
+          unit("joint_stiffness", slides ? quantity::sliding_stiffness : quantity::stiffness),
           unit("link_mass", quantity::mass), unit("gravity", quantity::acceleration),
-          unit("rest", quantity::angle)};
+          unit("rest", slides ? quantity::length : quantity::angle)};
 }
 
 std::vector<double> in_si(std::vector<double> values, const Unit& unit) {
@@ -56,7 +62,7 @@ std::vector<double> in_si(std::vector<double> values, const Unit& unit) {
 
 /// A nominal model in these units.
 NominalChain in_si(NominalChain chain, const Units& units) {
-  chain.link_length = in_si(std::move(chain.link_length), units.link_length);
+  if (chain.alone == Alone::no) chain.link_length = in_si(std::move(chain.link_length), units.link_length);
   chain.joint_stiffness = in_si(std::move(chain.joint_stiffness), units.joint_stiffness);
   chain.link_mass = in_si(std::move(chain.link_mass), units.link_mass);
   chain.rest = in_si(std::move(chain.rest), units.rest);
@@ -73,7 +79,11 @@ Bench::Plane plane(const Section& bench) {
   throw Error(bench.place("gravity_plane"), "\"" + word + "\"", expected);
 }
 
-Bench read_bench(const Section& bench) {
+/// \param alone  a joint without a link has no weight
+Bench read_bench(const Section& root, Alone alone) {
+  if (alone != Alone::no && root.has("bench")) root.refuse("bench", "nothing: a joint alone has no weight");
+  if (alone != Alone::no) return {Bench::Plane::horizontal, {0.0, 0.0}, false};
+  const Section bench = root.table_or_empty("bench");
   bench.allow_only({"gravity_plane", "gravity_direction"});
   Bench result{Bench::Plane::unknown, {0.0, 0.0}, false};
   if (bench.has("gravity_plane")) result.plane = plane(bench);
@@ -92,12 +102,15 @@ Bench read_bench(const Section& bench) {
 
 /// Each noise in the unit of its readings.
 Noise read_noise(const Section& noise, const SampleFormat& format) {
-  noise.allow_only({"x", "y", "Fx", "Fy", "q"});
-  const auto sigma = [&](const char* key, std::size_t column) {
+  const auto sigma = [&](std::size_t column) {
+    const std::string key = column == place_q1 ? "q" : format.columns[column].channel;
     return in_si(noise.non_negative(key), format.columns[column].unit);
   };
-  return {sigma("x", place_x), sigma("y", place_y), sigma("Fx", place_Fx), sigma("Fy", place_Fy),
-          sigma("q", place_q1)};
+  const std::set<std::string> all{"x", "y", "Fx", "Fy", "q", "angle", "torque"};
+  noise.allow_only(all);
+  for (const std::string& key : all)
+    if (noise.has(key) && !has_channel(format.alone, key)) refuse_channel(noise, format.alone, key);
+  return {sigma(place_x), sigma(place_y), sigma(place_Fx), sigma(place_Fy), sigma(place_q1)};
 }
 
 /// \throws Error for a path outside the folder, after resolving links, or for no regular file
@@ -114,8 +127,9 @@ fs::path file_inside(const fs::path& folder, const std::string& name, const std:
 
 /// The kind of reading: an experiment, or a bench before any measurement.
 struct Source {
-  const ReadTable& read;
+  const ReadParts& read;
   bool plan;
+  const ReadArm& arm;
 };
 
 /// Settings that the runs inherit.
@@ -163,8 +177,7 @@ void read_samples_of(const Section& section, const Shared& shared, bool commande
   SampleFormat format = read_sample_format(section, shared.format);
   format.commanded = commanded;
   format.any_order |= (shared.source.plan && format.header) || commanded;  // a plan may hold commands alone
-  const NamedTable named = shared.source.read(section, format);
-  Samples samples = read_samples(named.table, named.source, run.control, format);
+  Samples samples = read_samples(shared.source.read(section, format), run.control);
   run.readings = std::move(samples.readings);
   run.origins = std::move(samples.origins);
 }
@@ -175,7 +188,7 @@ bool read_beginning(const Section& section, const Run& run) {
   const std::string expected = "\"relaxed\" or \"moving\"";
   const std::string word = section.text("begins", expected);
   if (word != "relaxed" && word != "moving") section.refuse("begins", expected);
-  if (word == "moving" && run.holds_end_point())
+  if (word == "moving" && run.holds_end_point() && run.alone == Alone::no)
     section.refuse("begins", "nothing, or \"relaxed\", where the end point is put");
   return word == "moving";
 }
@@ -184,6 +197,7 @@ bool read_beginning(const Section& section, const Run& run) {
 std::vector<double> read_rest(const Section& section, const Shared& shared) {
   const Experiment& experiment = shared.experiment;
   if (!section.has("rest") && !experiment.rest.empty()) return experiment.rest;
+  if (!section.has("rest") && experiment.alone != Alone::no) return {0};
   const std::vector<double> rest = section.numbers("rest", 0);
   if (rest.size() != experiment.link_length.size())
     throw Error(section.place("rest"), fmt::format("{} values", rest.size()),
@@ -195,12 +209,14 @@ Run read_run(const Section& section, const Shared& shared) {
   section.allow_only({"id", "control", "begins", "loaded_by", "rest", "samples", "csv", "columns"});
   Run run;
   run.id = section.name("id", "a name");
-  const std::string expected = "\"displacement\", \"force\" or \"command\"";
-  const std::string control = section.text("control", expected);
-  if (control != "displacement" && control != "force" && control != "command")
-    section.refuse("control", expected);
+  run.alone = shared.experiment.alone;
+  const std::string place = run.alone == Alone::turns ? "angle" : "displacement",
+                    load = run.alone == Alone::turns ? "torque" : "force",
+                    expected = "\"" + place + "\", \"" + load + "\" or \"command\"",
+                    control = section.text("control", expected);
+  if (control != place && control != load && control != "command") section.refuse("control", expected);
   const bool commanded = control == "command";
-  run.control = control == "displacement" ? Control::end_point : Control::force;
+  run.control = control == place ? Control::end_point : Control::force;
   if (commanded && section.has("rest"))
     section.refuse("rest", "nothing beside control = \"command\": q_command says it");
   if (!commanded) run.rest = read_rest(section, shared);
@@ -237,38 +253,110 @@ void count_from_first_reading(std::vector<Run>& runs) {
     for (Reading& reading : run.readings) reading.t -= first;
 }
 
+Unit unit_or_si(const Section& units, const char* key, const Quantity& quantity) {
+  return units.has(key) ? parse_unit(units.text(key, quantity.examples), quantity, units.place(key))
+                        : si_unit(quantity);
+}
+
+PoseFormat read_pose_format(const Section& root, bool motor_side) {
+  const Section units = root.table_or_empty("units"), columns = root.table_or_empty("columns");
+  units.allow_only({"place", "angle", "force", "torque", "mass"});
+  columns.allow_only({"ignore"});
+  SampleFormat csv = read_csv_format(root);
+  return {csv,
+          {unit_or_si(units, "place", quantity::length), unit_or_si(units, "angle", quantity::angle),
+           unit_or_si(units, "force", quantity::force), unit_or_si(units, "torque", quantity::torque),
+           unit_or_si(units, "mass", quantity::mass)},
+          columns.has("ignore") ? columns.texts("ignore", "names of columns") : std::vector<std::string>{},
+          motor_side};
+}
+
+Run read_poses_of(const Section& section, const Source& source, const PoseFormat& format,
+                  const Experiment& experiment) {
+  section.allow_only({"id", "control", "loaded_by", "samples"});
+  Run run;
+  run.id = section.name("id", "a name");
+  run.control = Control::force;
+  if (section.has("control") && section.text("control", "\"command\"") != "command")
+    section.refuse("control", "\"command\", or no such key, for an arm");
+  for (const SamplePart& part : source.read(section, format.csv)) {
+    const std::vector<Reading> more = read_poses(part.table, part.source, format, experiment);
+    run.readings.insert(run.readings.end(), more.begin(), more.end());
+  }
+  run.rest = run.readings.front().rest;
+  const std::string expected = "\"weights\" or \"servo\"";
+  const std::string word = section.has("loaded_by") ? section.text("loaded_by", expected) : "weights";
+  if (word != "weights" && word != "servo") section.refuse("loaded_by", expected);
+  run.by_weights = word == "weights";
+  return run;
+}
+
+/// The settings of an arm in space, from the table [arm] on.
+Experiment read_arm_settings(const Section& root, const Source& source) {
+  root.allow_only({"format", "name", "date", "arm", "noise", "units", "csv", "columns", "run"});
+  static_cast<void>(read_date(root));
+  Experiment experiment;
+  experiment.name = root.name("name", "a name");
+  const ReadArmBench read = read_arm(root.table("arm"), source.arm);
+  static_cast<NominalChain&>(experiment) = chain_of(read.arm);
+  experiment.arm_bench = read.bench;
+  experiment.bench = {Bench::Plane::vertical, {0.0, 0.0}, false};
+  const PoseFormat format = read_pose_format(root, read.motor_side);
+  const Section noise = root.table("noise");
+  noise.allow_only({"place", "turn", "q", "torque"});
+  const PoseUnits& units = format.units;
+  experiment.noise.q = in_si(noise.non_negative("q"), units.angle);
+  experiment.noise.place = in_si(noise.non_negative("place"), units.place);
+  experiment.noise.turn = in_si(noise.non_negative("turn"), units.angle);
+  experiment.noise.torque = in_si(noise.non_negative("torque"), units.moment);
+  if (!root.has("run")) throw Error(root.place("run"), "no such key", "at least one [[run]]");
+  std::set<std::string> ids;
+  for (const Section& section : root.tables("run")) {
+    experiment.runs.push_back(read_poses_of(section, source, format, experiment));
+    if (!ids.insert(experiment.runs.back().id).second)
+      throw Error(section.place("id"), "\"" + experiment.runs.back().id + "\" again",
+                  "an id that no other run has");
+  }
+  count_from_first_reading(experiment.runs);
+  return experiment;
+}
+
 /// All settings, before any plausibility check.
 Experiment read_settings(const Section& root, const Source& source, const NominalChain* model) {
   const std::string expected = "\"chain-experiment/1\"";
   if (root.text("format", expected) != "chain-experiment/1") root.refuse("format", expected);
+  if (root.has("arm")) return read_arm_settings(root, source);
   root.allow_only({"format", "name", "date", "nominal", "bench", "noise", "units", "csv", "columns", "run"});
   static_cast<void>(read_date(root));  // of use to who compares experiments
   Experiment experiment;
   experiment.name = root.name("name", "a name");
-  const Units units = read_units(root);
-  static_cast<NominalChain&>(experiment) = model ? *model : in_si(read_nominal(root.table("nominal")), units);
+  const NominalChain nominal = model ? *model : read_nominal(root.table("nominal"));
+  const Units units = read_units(root, nominal.alone);
+  static_cast<NominalChain&>(experiment) = model ? nominal : in_si(nominal, units);
   experiment.origins = units.origins(model == nullptr);
-  experiment.bench =
-      root.has("bench") ? read_bench(root.table("bench")) : Bench{Bench::Plane::unknown, {0.0, 0.0}, false};
+  experiment.bench = read_bench(root, nominal.alone);
   const Shared shared{source, experiment,
-                      read_sample_format(root, standard_format(experiment.link_length.size())), units.rest,
-                      model ? "the model that is given" : "the nominal chain"};
+                      read_sample_format(root, standard_format(experiment.link_length.size(), nominal.alone)),
+                      units.rest, model ? "the model that is given" : "the nominal chain"};
   experiment.noise = read_noise(root.table("noise"), shared.format);
   experiment.runs = read_runs(root, shared);
+  experiment.covariates = complete_covariates(experiment.runs, root.place("run"));
+  join_continued(experiment);
   count_from_first_reading(experiment.runs);
   return experiment;
 }
 
 /// The same from files.
-Experiment read_folder(const fs::path& folder, const ReadFile& read, bool plan, const NominalChain* model) {
+Experiment read_folder(const fs::path& folder, const ReadFile& read, bool plan, const NominalChain* model,
+                       const ReadArm& arm = {}) {
   const std::string settings = "experiment.toml", file = (folder / settings).string();
-  const ReadTable read_table = [&](const Section& run, const SampleFormat& format) {
-    const std::string name = run.text("samples", "the name of a sample file");
-    const std::string source = (folder / name).string();
-    return NamedTable{source, parse_sample_table(read(name, run.place("samples")), source, format)};
+  const ReadParts read_all = [&](const Section& run, const SampleFormat& format) {
+    return read_parts(run, format, [&](const std::string& name, const std::string& place) {
+      return NamedText{(folder / name).string(), read(name, place)};
+    });
   };
   const toml::table table = files::parse_toml(read(settings, file), file);
-  return read_settings(Section(table, file), {read_table, plan}, model);
+  return read_settings(Section(table, file), {read_all, plan, arm}, model);
 }
 
 ReadFile files_of(const fs::path& folder) {
@@ -280,10 +368,22 @@ ReadFile files_of(const fs::path& folder) {
   };
 }
 
+/// What is planned, before anything is measured.
+Experiment as_bench(Experiment planned) {
+  Experiment bench = unmeasured(std::move(planned));
+  require_bench(bench);
+  return bench;
+}
+
 }  // namespace
 
-Experiment read_experiment(const fs::path& folder, const NominalChain* model) {
-  return read_experiment(folder, files_of(folder), model);
+Experiment read_experiment(const fs::path& folder, const NominalChain* model, const ReadArm& arm) {
+  const ReadArm inside = [&](const std::string& name, const std::string& base, const std::string& tip) {
+    return arm(file_inside(folder, name, "arm.model").string(), base, tip);
+  };
+  Experiment experiment = read_folder(folder, files_of(folder), false, model, arm ? inside : ReadArm{});
+  require_physical(experiment);
+  return experiment;
 }
 
 Experiment read_experiment(const fs::path& folder, const ReadFile& read, const NominalChain* model) {
@@ -292,9 +392,9 @@ Experiment read_experiment(const fs::path& folder, const ReadFile& read, const N
   return experiment;
 }
 
-Experiment read_experiment(const toml::table& settings, const std::string& source, const ReadTable& read,
+Experiment read_experiment(const toml::table& settings, const std::string& source, const ReadParts& read,
                            const NominalChain* model) {
-  Experiment experiment = read_settings(Section(settings, source), {read, false}, model);
+  Experiment experiment = read_settings(Section(settings, source), {read, false, {}}, model);
   require_physical(experiment);
   return experiment;
 }
@@ -304,9 +404,12 @@ Experiment read_plan(const fs::path& folder, const NominalChain* model) {
 }
 
 Experiment read_plan(const fs::path& folder, const ReadFile& read, const NominalChain* model) {
-  Experiment bench = unmeasured(read_folder(folder, read, true, model));
-  require_bench(bench);
-  return bench;
+  return as_bench(read_folder(folder, read, true, model));
+}
+
+Experiment read_plan(const toml::table& settings, const std::string& source, const ReadParts& read,
+                     const NominalChain* model) {
+  return as_bench(read_settings(Section(settings, source), {read, true, {}}, model));
 }
 
 }  // namespace plumbline::diagnose

@@ -7,32 +7,31 @@
 #include <string>
 
 #include "diagnose/bench/experiment.hpp"
-#include "diagnose/bench/sample_table.hpp"
+#include "diagnose/bench/read_arm.hpp"
+#include "diagnose/bench/sample_columns.hpp"
 
 namespace plumbline::diagnose {
 
 /// Reads format "chain-experiment/1".
 /// \param model  replaces the table [nominal], which may then be absent
+/// \param arm    reads the model's file that a table [arm] names
 /// \throws Error, one line with the file, the line or key, what was found and what was expected: a missing
 ///         file or key, an unknown key or format, a wrong type or length, a field that is not a finite
 ///         number, a negative length or stiffness, a repeated run id, a sample file outside the folder,
 ///         readings that the chain cannot reach, or too few of them to judge anything
-Experiment read_experiment(const std::filesystem::path& folder, const NominalChain* model = nullptr);
+Experiment read_experiment(const std::filesystem::path& folder, const NominalChain* model = nullptr,
+                           const ReadArm& arm = {});
 
-/// The samples of a run.
-struct NamedTable {
-  std::string source;  ///< as errors name it
-  SampleTable table;
-};
+/// The samples of a run, in one part or several.
 /// \param run     its table: the key `samples` says which samples
 /// \param format  that the experiment and the run declare
 /// \throws Error that names the key, or the source
-using ReadTable = std::function<NamedTable(const Section& run, const SampleFormat& format)>;
+using ReadParts = std::function<std::vector<SamplePart>(const Section& run, const SampleFormat& format)>;
 
 /// An experiment in memory: the same keys, checked by the same rules.
 /// \param settings  the contents of experiment.toml
 /// \param source    named in errors
-Experiment read_experiment(const toml::table& settings, const std::string& source, const ReadTable& read,
+Experiment read_experiment(const toml::table& settings, const std::string& source, const ReadParts& read,
                            const NominalChain* model = nullptr);
 
 /// Reads the text of experiment.toml, or of a sample file that it names.
@@ -51,6 +50,8 @@ Experiment read_experiment(const std::filesystem::path& folder, const ReadFile& 
 /// \throws Error likewise, and where a run measures nothing that has a noise
 Experiment read_plan(const std::filesystem::path& folder, const NominalChain* model = nullptr);
 Experiment read_plan(const std::filesystem::path& folder, const ReadFile& read,
+                     const NominalChain* model = nullptr);
+Experiment read_plan(const toml::table& settings, const std::string& source, const ReadParts& read,
                      const NominalChain* model = nullptr);
 
 }  // namespace plumbline::diagnose

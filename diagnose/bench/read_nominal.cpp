@@ -70,16 +70,33 @@ std::string spelling(const Section& nominal, const std::string& here, const std:
   return in_chain_files;
 }
 
+/// Whether the file has a joint alone in place of a chain, and which.
+/// \param lengths  the key of a chain's links
+Alone read_alone(const Section& nominal, const std::string& lengths) {
+  if (!nominal.has("joint") && !nominal.has(lengths))
+    throw Error(nominal.where(), "neither link_length nor joint",
+                "the lengths of a chain, or \"revolute\" or \"prismatic\" for a joint alone");
+  if (!nominal.has("joint")) return Alone::no;
+  const std::string expected = "\"revolute\" or \"prismatic\"", word = nominal.text("joint", expected);
+  if (word != "revolute" && word != "prismatic") nominal.refuse("joint", expected);
+  for (const char* key : {"link_length", "lengths", "link_mass", "gravity"})
+    if (nominal.has(key)) nominal.refuse(key, "nothing beside nominal.joint: a joint alone has no link");
+  return word == "revolute" ? Alone::turns : Alone::slides;
+}
+
 }  // namespace
 
 NominalChain read_nominal(const Section& nominal) {
   nominal.allow_only(
-      {"link_length", "joint_stiffness", "link_mass", "gravity", "rest", "effect", "torque_law"},
+      {"joint", "link_length", "joint_stiffness", "link_mass", "gravity", "rest", "effect", "torque_law"},
       {"lengths", "stiffness"});
   const std::string lengths = spelling(nominal, "link_length", "lengths"),
                     stiffness = spelling(nominal, "joint_stiffness", "stiffness");
   NominalChain chain;
-  chain.link_length = nominal.numbers(lengths, 0, "a positive length", [](double v) { return v > 0; });
+  chain.alone = read_alone(nominal, lengths);
+  chain.link_length = chain.alone == Alone::no
+                          ? nominal.numbers(lengths, 0, "a positive length", [](double v) { return v > 0; })
+                          : std::vector{1.0};
   const std::size_t n = chain.link_length.size();
   const auto not_negative = [](double v) { return v >= 0; };
   chain.joint_stiffness =

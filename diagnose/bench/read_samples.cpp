@@ -1,164 +1,164 @@
 #include "diagnose/bench/read_samples.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <plumbline/base/error.hpp>
-#include <system_error>
 
-#include "diagnose/bench/sample_columns.hpp"
-#include "support/files/printable.hpp"
+#include "diagnose/bench/part_reader.hpp"
 
 namespace plumbline::diagnose {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
-/// The meaning of the fields of a table.
-class Reader {
+/// Parts that were taken at the same times, or a single one.
+class Joined {
  public:
-  Reader(const SampleTable& table, const SampleFormat& format, std::string source, Control control)
-      : table_(table), format_(format), source_(std::move(source)), control_(control) {
-    places_ = column_places(table, format, source_, control);
-    for (std::size_t c = 0; c < places_.size(); ++c) {
-      const Column& column = format_.columns[c];
-      zeros_.push_back(zero(c));
-      constants_.push_back(column.constant ? in_si(*column.constant, column.unit) : none);
+  explicit Joined(std::vector<const PartReader*> parts) : parts_(std::move(parts)) {
+    for (std::size_t c = 0; c < format().columns.size(); ++c) {
+      const auto owner =
+          std::find_if(parts_.begin(), parts_.end(), [c](const PartReader* one) { return one->has(c); });
+      owners_.push_back(owner == parts_.end() ? parts_.front() : *owner);
     }
+    for (const PartReader* other : parts_)
+      if (other != parts_.front()) require_same_times(*other);
+    rows_ = parts_.front()->rows();
+    while (rows_ > 1 && is_empty(rows_ - 1)) --rows_;
   }
 
-  /// \param row  from 0
-  [[nodiscard]] Reading reading(std::size_t row) const {
-    std::vector<double> v;
-    for (std::size_t c = 0; c < place_q1; ++c) v.push_back(value(c, row));
-    Reading reading{v[place_t], v[place_x], v[place_y], v[place_Fx], v[place_Fy], {}};
-    reading.q = angles(place_q1, format_.absolute_angles, row);
-    reading.rest = angles(format_.place_command1(), format_.absolute_commands, row);
-    require_given(reading, row);
+  [[nodiscard]] std::size_t rows() const { return rows_; }
+  [[nodiscard]] const PartReader& first() const { return *parts_.front(); }
+
+  [[nodiscard]] Reading reading(std::size_t row, Control control) const {
+    const auto value = [&](std::size_t c) { return owners_[c]->value(c, row); };
+    Reading reading{value(place_t), value(place_x), value(place_y), value(place_Fx), value(place_Fy), {}};
+    reading.q = angles(place_q1, &SampleFormat::absolute_angles, row);
+    reading.rest = angles(format().place_command1(), &SampleFormat::absolute_commands, row);
+    for (std::size_t c = format().place_covariate1(); c < owners_.size(); ++c)
+      reading.covariates.push_back(value(c));
+    require_given(reading, row, control);
     return reading;
   }
 
   [[nodiscard]] std::vector<Origin> origins() const {
     std::vector<Origin> all;
-    for (std::size_t c = 0; c < places_.size(); ++c) {
-      const Column& column = format_.columns[c];
-      const std::string source = column.constant  ? "constant " + *column.constant
-                                 : places_[c]     ? column_title(table_, *places_[c])
-                                 : is_no_force(c) ? "constant 0"
-                                                  : "";
-      all.push_back({column.channel, source, column.unit.name, column.unit.in_si()});
-    }
+    for (std::size_t c = 0; c < owners_.size(); ++c) all.push_back(owners_[c]->origin(c));
     return all;
-  }
-
-  void require_order(std::size_t row, const Reading& before, const Reading& now) const {
-    if (now.t >= before.t) return;
-    const auto time = [&](std::size_t r) { return table_.rows[r].fields[*places_[place_t]]; };
-    throw Error(where(row) + ", t", files::shown(time(row)),
-                "a time not before the last reading's, " + files::shown(time(row - 1)));
   }
 
  private:
-  /// Relative joint angles; empty where the table has none.
-  [[nodiscard]] std::vector<double> angles(std::size_t first, bool absolute, std::size_t row) const {
+  [[nodiscard]] const SampleFormat& format() const { return first().format(); }
+
+  [[nodiscard]] bool is_empty(std::size_t row) const {
+    return std::all_of(parts_.begin(), parts_.end(),
+                       [row](const PartReader* one) { return one->is_empty(row); });
+  }
+
+  void require_same_times(const PartReader& other) const {
+    for (std::size_t row = 0; row < std::max(first().rows(), other.rows()); ++row) {
+      if (row >= other.rows())
+        throw Error(
+            other.source(), fmt::format("{} readings", other.rows()),
+            fmt::format("one more, at the time {} of {}", first().written_time(row), first().where(row)));
+      if (row >= first().rows())
+        throw Error(other.where(row) + ", t", other.written_time(row),
+                    fmt::format("{} readings, as in {}", first().rows(), first().source()));
+      if (other.value(place_t, row) != first().value(place_t, row))
+        throw Error(other.where(row) + ", t", other.written_time(row),
+                    fmt::format("{}, the time of {}", first().written_time(row), first().where(row)));
+    }
+  }
+
+  /// Relative joint angles; empty where no part has them.
+  [[nodiscard]] std::vector<double> angles(std::size_t place1, bool SampleFormat::*absolute,
+                                           std::size_t row) const {
     std::vector<double> all;
-    for (std::size_t c = first; c < first + format_.joints() && places_[c]; ++c) all.push_back(value(c, row));
-    if (absolute) std::adjacent_difference(all.begin(), all.end(), all.begin());
+    for (std::size_t c = place1; c < place1 + format().joints() && owners_[c]->has(c); ++c)
+      all.push_back(owners_[c]->value(c, row));
+    if (owners_[place1]->format().*absolute) std::adjacent_difference(all.begin(), all.end(), all.begin());
     return all;
   }
 
-  /// Whether no force acts on commanded joints, for want of a column.
-  [[nodiscard]] bool is_no_force(std::size_t c) const {
-    return format_.commanded && (c == place_Fx || c == place_Fy) && !places_[c] &&
-           !format_.columns[c].constant;
-  }
-
-  [[nodiscard]] std::string where(std::size_t row) const {
-    return source_ + ":" + std::to_string(table_.rows[row].line);
-  }
-
-  /// A field with a decimal point; empty for a missing value.
-  [[nodiscard]] std::string field(std::size_t c, std::size_t row) const {
-    std::string text = table_.rows[row].fields[*places_[c]];
-    if (std::find(format_.missing.begin(), format_.missing.end(), text) != format_.missing.end()) return "";
-    if (text.starts_with('+')) text.erase(0, 1);
-    if (format_.decimal == '.') return text;
-    if (text.find('.') != std::string::npos) refuse(c, row);
-    std::replace(text.begin(), text.end(), ',', '.');
-    return text;
-  }
-
-  [[noreturn]] void refuse(std::size_t c, std::size_t row) const {
-    const std::string& text = table_.rows[row].fields[*places_[c]];
-    const bool comma = format_.decimal == '.' && text.find(',') != std::string::npos;
-    throw Error(where(row) + ", " + files::shown(column_title(table_, *places_[c])),
-                "'" + files::shown(text) + "'",
-                std::string("a finite number or an empty field") +
-                    (comma ? "; csv.decimal = \",\" reads decimal commas" : ""));
-  }
-
-  [[nodiscard]] double number(const std::string& text, std::size_t c, std::size_t row) const {
-    double value = 0;
-    const char* const end = text.data() + text.size();
-    const auto [stop, fault] = std::from_chars(text.data(), end, value);
-    if (fault != std::errc() || stop != end || !std::isfinite(value)) refuse(c, row);
-    return value;
-  }
-
-  [[nodiscard]] Mpfr50 zero(std::size_t c) const {
-    const Column& column = format_.columns[c];
-    for (std::size_t row = 0; column.zero_is_first && places_[c] && row < table_.rows.size(); ++row) {
-      const std::string text = field(c, row);
-      if (!text.empty() && std::isfinite(number(text, c, row))) return Mpfr50(text);
-    }
-    return Mpfr50(column.zero);
-  }
-
-  /// Readings without a time are counted; a channel without a column is not measured.
-  [[nodiscard]] double value(std::size_t c, std::size_t row) const {
-    const Column& column = format_.columns[c];
-    if (column.constant) return constants_[c];
-    if (is_no_force(c)) return 0;
-    if (!places_[c]) return c == place_t ? static_cast<double>(row) : none;
-    const std::string text = field(c, row);
-    if (text.empty()) return none;
-    const double plain = number(text, c, row);
-    if (column.as_is()) return plain;
-    const Mpfr50 exact = Mpfr50(column.sign) * (Mpfr50(text) - zeros_[c]) * column.unit.factor;
-    return exact.convert_to<double>();
-  }
-
-  void require_given(const Reading& r, std::size_t row) const {
-    if (std::isnan(r.t)) throw Error(where(row) + ", t", "an empty field", "the time of the reading");
-    const bool displacement = control_ == Control::end_point;
+  void require_given(const Reading& r, std::size_t row, Control control) const {
+    if (std::isnan(r.t)) throw Error(first().where(row) + ", t", "an empty field", "the time of the reading");
+    const bool displacement = control == Control::end_point;
     if (std::isnan(displacement ? r.x : r.Fx) || std::isnan(displacement ? r.y : r.Fy)) {
-      throw Error(where(row), "an empty imposed channel",
-                  displacement ? "the commanded x and y" : "the commanded Fx and Fy");
+      const std::size_t one = displacement ? place_x : place_Fx, other = displacement ? place_y : place_Fy;
+      const auto& name = format().columns;
+      throw Error(owners_[one]->where(row), "an empty imposed channel",
+                  "the commanded " + name[one].channel +
+                      (format().alone == Alone::no ? " and " + name[other].channel : ""));
     }
     if (std::any_of(r.rest.begin(), r.rest.end(), [](double angle) { return std::isnan(angle); }))
-      throw Error(where(row), "an empty q_command", "the commanded angle of every joint");
+      throw Error(owners_[format().place_command1()]->where(row), "an empty q_command",
+                  "the commanded angle of every joint");
   }
 
-  const SampleTable& table_;
-  const SampleFormat& format_;
-  std::string source_;
-  Control control_;
-  ColumnPlaces places_;
-  std::vector<Mpfr50> zeros_;      ///< by column of the format
-  std::vector<double> constants_;  ///< likewise, in SI
+  std::vector<const PartReader*> parts_;
+  std::vector<const PartReader*> owners_;  ///< by column of the format, the part that has it
+  std::size_t rows_ = 0;
 };
+
+/// Whether a part follows another, for it has the same columns; else the two are to be joined.
+/// \throws Error where they have some columns in common, or no time to be joined by
+bool follows(const SamplePart& part, const ColumnPlaces& places, const SamplePart& other,
+             const ColumnPlaces& of_other) {
+  std::string common;
+  bool differs = false;
+  for (std::size_t c = place_t + 1; c < places.size(); ++c) {
+    if (places[c] && of_other[c]) common = part.format.columns[c].channel;
+    if (places[c].has_value() != of_other[c].has_value()) differs = true;
+  }
+  if (!differs) return true;
+  if (!common.empty())
+    throw Error(part.source, common + " as in " + other.source + ", and other channels",
+                "the same channels, to follow it, or different ones alone, to be joined by t");
+  for (const auto& [one, of_one] : {std::pair(&other, &of_other), std::pair(&part, &places)})
+    if (!(*of_one)[place_t])
+      throw Error(one->source, "no column of t", "the times by which the parts of the run are joined");
+  return false;
+}
+
+/// \throws Error where some parts follow one another and others are to be joined
+bool all_follow(const std::vector<SamplePart>& parts, const std::vector<ColumnPlaces>& places) {
+  const bool second = parts.size() == 1 || follows(parts[1], places[1], parts[0], places[0]);
+  for (std::size_t p = 2; p < parts.size(); ++p)
+    for (std::size_t q = 0; q < p; ++q)
+      if (follows(parts[p], places[p], parts[q], places[q]) != second)
+        throw Error(parts[p].source,
+                    (second ? "other channels than in " : "the channels of ") + parts[q].source,
+                    "parts of a run that all follow one another, or are all joined by t");
+  return second;
+}
+
+void require_order(const Joined& part, std::size_t row, const Reading& now, const Reading& before) {
+  if (now.t >= before.t) return;
+  throw Error(part.first().where(row) + ", t", part.first().written_time(row),
+              row > 0 ? "a time not before the last reading's, " + part.first().written_time(row - 1)
+                      : "a time not before the last one of the part before");
+}
 
 }  // namespace
 
-Samples read_samples(const SampleTable& table, const std::string& source, Control control,
-                     const SampleFormat& format) {
-  const Reader reader(table, format, source, control);
-  Samples samples{{}, reader.origins()};
-  for (std::size_t row = 0; row < table.rows.size(); ++row) {
-    samples.readings.push_back(reader.reading(row));
-    if (row > 0) reader.require_order(row, samples.readings[row - 1], samples.readings[row]);
+Samples read_samples(const std::vector<SamplePart>& parts, Control control) {
+  const std::vector<ColumnPlaces> places = column_places(parts, control);
+  const bool follow = all_follow(parts, places);
+  std::vector<PartReader> readers;
+  readers.reserve(parts.size());  // each is referred to
+  for (std::size_t p = 0; p < parts.size(); ++p)
+    readers.emplace_back(parts[p], places[p], follow && p > 0 ? &readers[p - 1] : nullptr);
+  std::vector<std::vector<const PartReader*>> groups(follow ? parts.size() : 1);
+  for (std::size_t p = 0; p < parts.size(); ++p) groups[follow ? p : 0].push_back(&readers[p]);
+  Samples samples;
+  for (const auto& group : groups) {
+    const Joined part(group);
+    if (samples.origins.empty()) samples.origins = part.origins();
+    for (std::size_t row = 0; row < part.rows(); ++row) {
+      samples.readings.push_back(part.reading(row, control));
+      if (const std::size_t count = samples.readings.size(); count > 1)
+        require_order(part, row, samples.readings[count - 1], samples.readings[count - 2]);
+    }
   }
   return samples;
 }

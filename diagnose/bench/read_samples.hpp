@@ -2,10 +2,10 @@
 /// \file
 /// Reads the samples of one run.
 
-#include <string>
+#include <vector>
 
 #include "diagnose/bench/experiment.hpp"
-#include "diagnose/bench/sample_table.hpp"
+#include "diagnose/bench/sample_columns.hpp"
 
 namespace plumbline::diagnose {
 
@@ -15,11 +15,11 @@ struct Samples {
   std::vector<Origin> origins;    ///< of each channel
 };
 
-/// Time, the imposed channels and commanded joint angles may not be empty.
-/// \param source  of the table, named in errors with the line
-/// \param format  for n joints
+/// Parts that have the same channels follow one another. Parts that have different ones were taken at the
+/// same times and are joined by these. Time, the imposed channels and commanded joint angles may not be
+/// empty; the run ends where all its columns but the time are empty to the end.
+/// \param parts  at least one
 /// \throws Error that names the source and the line
-Samples read_samples(const SampleTable& table, const std::string& source, Control control,
-                     const SampleFormat& format);
+Samples read_samples(const std::vector<SamplePart>& parts, Control control);
 
 }  // namespace plumbline::diagnose

@@ -21,7 +21,9 @@ class Finder {
       : table_(table),
         format_(format),
         source_(source),
-        header_line_(table.header_line == 0 ? source : source + ":" + std::to_string(table.header_line)) {}
+        header_line_(table.header_line == 0 || table.transposed
+                         ? source
+                         : source + ":" + std::to_string(table.header_line)) {}
 
   /// Without [columns] two headers are accepted.
   void require_header() const {
@@ -32,19 +34,24 @@ class Finder {
                     "', or a table [columns] that says which column is which" + hint());
   }
 
-  [[nodiscard]] std::optional<std::size_t> place(std::size_t c) const {
+  /// \param required  whether a column that experiment.toml names has to be here
+  [[nodiscard]] std::optional<std::size_t> place(std::size_t c, bool required) const {
     const Column& column = format_.columns[c];
-    if (column.constant || (c >= format_.place_command1() && !format_.commanded)) return {};
-    if (column.number > 0) return numbered(column.number, column.place);
+    const bool command = c >= format_.place_command1() && c < format_.place_covariate1(),
+               angle = c >= place_q1 && c < format_.place_command1();
+    if (column.constant || (command && !format_.commanded) || (angle && format_.alone != Alone::no))
+      return {};
+    if (column.number > 0) return numbered(column.number, required ? column.place : "");
     if (!format_.header && !format_.any_order) return numbered(c + 1, "");  // in the standard order
-    return named(column);
+    return named(column, required);
   }
 
-  void require_imposed(const ColumnPlaces& places, Control control) const {
+  /// \param given  by column, whether any part has it
+  void require_imposed(const std::vector<bool>& given, Control control) const {
     const std::array displacement{place_x, place_y}, force{place_Fx, place_Fy};
     for (const auto c : control == Control::end_point ? displacement : force) {
       const std::string& channel = format_.columns[c].channel;
-      if (places[c] || format_.columns[c].constant) continue;
+      if (given[c]) continue;
       throw Error(header_line_, "no column '" + channel + "', which the run imposes",
                   "the column, or a key columns." + channel + " that names another" + hint());
     }
@@ -52,10 +59,10 @@ class Finder {
 
   /// Columns of commanded angles have a place where the run imposes them, and are not left out in silence
   /// elsewhere.
-  void require_commands(const ColumnPlaces& places) const {
-    for (std::size_t c = format_.place_command1(); c < places.size(); ++c) {
+  void require_commands(const std::vector<bool>& given) const {
+    for (std::size_t c = format_.place_command1(); c < format_.place_covariate1(); ++c) {
       const Column& column = format_.columns[c];
-      if (format_.commanded && !places[c])
+      if (format_.commanded && !given[c])
         throw Error(header_line_, "no column '" + column.channel + "', which the run imposes",
                     "the column, or a key columns.q_command that names another" + hint());
       const auto& header = table_.header;
@@ -65,10 +72,10 @@ class Finder {
     }
   }
 
-  void require_angles(const ColumnPlaces& places) const {
+  void require_angles(const std::vector<bool>& given) const {
     const auto joints = static_cast<std::ptrdiff_t>(format_.joints());
-    const auto first = places.begin() + place_q1;
-    const auto there = std::count_if(first, first + joints, [](const auto& one) { return one.has_value(); });
+    const auto first = given.begin() + place_q1;
+    const auto there = std::count(first, first + joints, true);
     if (there != 0 && there != joints)
       throw Error(header_line_, std::to_string(there) + " columns of joint angles",
                   "all " + std::to_string(joints) + ", or none");
@@ -95,13 +102,14 @@ class Finder {
                 "a column " + std::to_string(number) + ", which " + key + " names" + hint());
   }
 
-  [[nodiscard]] std::optional<std::size_t> named(const Column& column) const {
+  [[nodiscard]] std::optional<std::size_t> named(const Column& column, bool required) const {
     const auto count = std::count(table_.header.begin(), table_.header.end(), column.name);
-    if (count == 0 && column.place.empty()) return {};
+    if (count == 0 && (column.place.empty() || !required)) return {};
     if (count != 1)
       throw Error(header_line_, count == 0 ? header() : std::to_string(count) + " columns of one name",
                   "one column '" + files::shown(column.name) + "'" +
-                      (column.place.empty() ? "" : ", which " + column.place + " names") + hint());
+                      (column.place.empty() ? "" : ", which " + column.place + " names") +
+                      (count == 0 ? hint() : "; a number says which one"));
     const auto found = std::find(table_.header.begin(), table_.header.end(), column.name);
     return static_cast<std::size_t>(found - table_.header.begin());
   }
@@ -114,16 +122,26 @@ class Finder {
 
 }  // namespace
 
-ColumnPlaces column_places(const SampleTable& table, const SampleFormat& format, const std::string& source,
-                           Control control) {
-  const Finder finder(table, format, source);
-  if (!format.any_order) finder.require_header();
-  ColumnPlaces places;
-  for (std::size_t c = 0; c < format.columns.size(); ++c) places.push_back(finder.place(c));
-  if (!format.commanded) finder.require_imposed(places, control);
-  finder.require_commands(places);
-  finder.require_angles(places);
-  return places;
+std::vector<ColumnPlaces> column_places(const std::vector<SamplePart>& parts, Control control) {
+  const bool alone = parts.size() == 1;
+  std::vector<ColumnPlaces> all(parts.size());
+  const std::size_t count = parts.front().format.columns.size();
+  std::vector<bool> given(count);
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    const Finder finder(parts[p].table, parts[p].format, parts[p].source);
+    if (alone && !parts[p].format.any_order) finder.require_header();
+    for (std::size_t c = 0; c < count; ++c) {
+      all[p].push_back(finder.place(c, alone));
+      if (all[p][c] || parts[p].format.columns[c].constant) given[c] = true;
+    }
+  }
+  const Finder first(parts.front().table, parts.front().format, parts.front().source);
+  for (std::size_t c = 0; c < count; ++c)
+    if (!given[c]) static_cast<void>(first.place(c, true));
+  if (!parts.front().format.commanded) first.require_imposed(given, control);
+  first.require_commands(given);
+  first.require_angles(given);
+  return all;
 }
 
 std::string column_title(const SampleTable& table, std::size_t column) {

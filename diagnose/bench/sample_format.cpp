@@ -2,19 +2,33 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 #include <plumbline/base/error.hpp>
+#include <regex>
+#include <set>
 
+#include "diagnose/bench/experiment.hpp"
 #include "support/files/printable.hpp"
 
 namespace plumbline::diagnose {
 namespace {
 
-const std::array<std::pair<const char*, const Quantity*>, 5> single_channels{{{"t", &quantity::time},
-                                                                              {"x", &quantity::length},
-                                                                              {"y", &quantity::length},
-                                                                              {"Fx", &quantity::force},
-                                                                              {"Fy", &quantity::force}}};
+using SingleChannels = std::array<std::pair<const char*, const Quantity*>, 5>;
+
+/// In the order of their places.
+SingleChannels single_channels(Alone alone) {
+  using namespace quantity;
+  SingleChannels all{{{"t", &time}, {"x", &length}, {"y", &length}, {"Fx", &force}, {"Fy", &force}}};
+  if (alone == Alone::turns) all[place_x] = {"angle", &angle}, all[place_Fx] = {"torque", &torque};
+  return all;
+}
+
+/// That in which joints move.
+const Quantity& of_joints(Alone alone) {
+  return alone == Alone::slides ? quantity::length : quantity::angle;
+}
 
 char delimiter(const Section& csv) {
   const std::string expected = R"(",", ";", "|", "tab" or "blanks")", word = csv.text("delimiter", expected);
@@ -31,10 +45,12 @@ char decimal(const Section& csv) {
 }
 
 void read_csv(const Section& csv, SampleFormat& format) {
-  csv.allow_only({"delimiter", "decimal", "header", "skip_lines", "skip_after_header", "comment", "missing"});
+  csv.allow_only({"delimiter", "decimal", "header", "transposed", "skip_lines", "skip_after_header",
+                  "comment", "missing"});
   if (csv.has("delimiter")) format.delimiter = delimiter(csv);
   if (csv.has("decimal")) format.decimal = decimal(csv);
   format.header = csv.flag_or("header", format.header);
+  format.transposed = csv.flag_or("transposed", format.transposed);
   format.skip_lines = csv.whole_or("skip_lines", format.skip_lines);
   format.skip_after_header = csv.whole_or("skip_after_header", format.skip_after_header);
   if (csv.has("comment")) format.comment = csv.text("comment", "what such lines begin with");
@@ -49,13 +65,14 @@ std::string decimal_text(double value) {
 /// A node of one channel: a name, a number, or a table.
 class ColumnReader {
  public:
-  ColumnReader(const Section& columns, const std::string& key, const Quantity& quantity)
+  /// \param quantity  nullptr for a covariate, which has no unit
+  ColumnReader(const Section& columns, const std::string& key, const Quantity* quantity)
       : columns_(columns), key_(key), quantity_(quantity) {}
 
   /// \param all  the columns of the key: one, or those of q
   void read(std::vector<Column*> all) const {
     for (Column* column : all) {
-      *column = {column->channel, column->channel, 0, {}, si_unit(quantity_)};
+      *column = {column->channel, column->channel, 0, {}, quantity_ ? si_unit(*quantity_) : Unit{}};
       column->place = columns_.place(key_);
     }
     const toml::node& node = columns_.node(key_);
@@ -71,8 +88,8 @@ class ColumnReader {
   [[nodiscard]] bool is_list() const { return key_ == "q" || key_ == "q_command"; }
 
   void read_table(const Section& table, const std::vector<Column*>& all) const {
-    std::set<std::string> known{"column", "unit", "sign", "zero"};
-    known.insert(is_list() ? "absolute" : "constant");
+    std::set<std::string> known{"column", "sign", "zero", is_list() ? "absolute" : "constant"};
+    if (quantity_) known.insert("unit");
     table.allow_only(known);
     if (table.has("constant")) {
       for (const char* other : {"column", "sign", "zero"})
@@ -81,7 +98,7 @@ class ColumnReader {
     }
     if (table.has("column")) read_source(table, "column", all);
     if (table.has("unit")) {
-      const Unit unit = parse_unit(table.text("unit", quantity_.examples), quantity_, table.place("unit"));
+      const Unit unit = parse_unit(table.text("unit", quantity_->examples), *quantity_, table.place("unit"));
       for (Column* column : all) column->unit = unit;
     }
     if (table.has("sign")) read_signs(table, all);
@@ -137,7 +154,7 @@ class ColumnReader {
 
   const Section& columns_;
   std::string key_;
-  const Quantity& quantity_;
+  const Quantity* quantity_;
 };
 
 /// The columns of a key with one for each joint.
@@ -147,31 +164,86 @@ void read_angles(const Section& columns, const std::string& key, std::size_t fir
   if (!columns.has(key)) return;
   std::vector<Column*> angles;
   for (std::size_t i = 0; i < format.joints(); ++i) angles.push_back(&format.columns[first + i]);
-  ColumnReader(columns, key, quantity::angle).read(angles);
+  ColumnReader(columns, key, &of_joints(format.alone)).read(angles);
   absolute = columns.node(key).is_table() && columns.table(key).flag_or("absolute", false);
 }
 
+/// Whether expressions can have a variable of this name beside their own.
+bool can_name_covariate(const std::string& name) {
+  static const std::regex form("[A-Za-z][A-Za-z0-9_]{0,39}"), own("[xytsdk]|F[xy]|q[0-9]*|run");
+  return std::regex_match(name, form) && !std::regex_match(name, own);
+}
+
+void read_covariates(const Section& covariates, SampleFormat& format) {
+  for (const std::string& name : covariates.keys()) {
+    if (!can_name_covariate(name))
+      throw Error(covariates.place(name), "a covariate of that name",
+                  "letters, digits and _, and no variable of expressions such as t, q or Fx");
+    const auto first = format.columns.begin() + static_cast<std::ptrdiff_t>(format.place_covariate1());
+    auto column =
+        std::find_if(first, format.columns.end(), [&](const Column& one) { return one.channel == name; });
+    if (column == format.columns.end()) {
+      format.columns.push_back({name, name, 0, {}, {}});
+      ++format.covariates;
+      column = std::prev(format.columns.end());
+    }
+    ColumnReader(covariates, name, nullptr).read({&*column});
+  }
+  if (format.covariates > most_covariates)
+    throw Error(covariates.where(), fmt::format("{} covariates", format.covariates),
+                fmt::format("at most {}", most_covariates));
+}
+
 void read_columns(const Section& columns, SampleFormat& format) {
-  columns.allow_only({"t", "x", "y", "Fx", "Fy", "q", "q_command"});
+  const SingleChannels single = single_channels(format.alone);
+  const std::set<std::string> all{"t", "x",         "y",     "Fx",     "Fy",
+                                  "q", "q_command", "angle", "torque", "covariate"};
+  columns.allow_only(all);
+  for (const std::string& key : all)
+    if (columns.has(key) && !has_channel(format.alone, key)) refuse_channel(columns, format.alone, key);
   format.any_order = true;
-  for (std::size_t c = 0; c < single_channels.size(); ++c) {
-    const auto& [key, quantity] = single_channels[c];
-    if (columns.has(key)) ColumnReader(columns, key, *quantity).read({&format.columns[c]});
+  for (std::size_t c = 0; c < single.size(); ++c) {
+    const auto& [key, quantity] = single[c];
+    if (columns.has(key)) ColumnReader(columns, key, quantity).read({&format.columns[c]});
   }
   read_angles(columns, "q", place_q1, format, format.absolute_angles);
   read_angles(columns, "q_command", format.place_command1(), format, format.absolute_commands);
+  if (columns.has("covariate")) read_covariates(columns.table("covariate"), format);
 }
 
 }  // namespace
 
-SampleFormat standard_format(std::size_t joints) {
+bool has_channel(Alone alone, const std::string& key) {
+  const bool own = key == "t" || key == "q_command" || key == "covariate";
+  switch (alone) {
+    case Alone::turns:
+      return own || key == "angle" || key == "torque";
+    case Alone::slides:
+      return own || key == "x" || key == "Fx";
+    case Alone::no:
+      break;
+  }
+  return key != "angle" && key != "torque";
+}
+
+void refuse_channel(const Section& section, Alone alone, const std::string& key) {
+  section.refuse(key, alone == Alone::no ? "nothing: angle and torque are of a joint alone, nominal.joint"
+                      : alone == Alone::turns ? "nothing: a joint that turns has an angle and a torque"
+                                              : "nothing: a joint that slides has x and Fx");
+}
+
+SampleFormat standard_format(std::size_t joints, Alone alone) {
   SampleFormat format;
-  for (const auto& [name, quantity] : single_channels)
+  format.alone = alone;
+  format.any_order = alone != Alone::no;
+  for (const auto& [name, quantity] : single_channels(alone))
     format.columns.push_back({name, name, 0, {}, si_unit(*quantity)});
+  if (alone != Alone::no)
+    for (const std::size_t place : {place_y, place_Fy}) format.columns[place].constant = "0";
   for (const char* key : {"q", "q_command"})
     for (std::size_t i = 1; i <= joints; ++i) {
       const std::string name = key + std::to_string(i);
-      format.columns.push_back({name, name, 0, {}, si_unit(quantity::angle)});
+      format.columns.push_back({name, name, 0, {}, si_unit(of_joints(alone))});
     }
   return format;
 }
@@ -179,6 +251,13 @@ SampleFormat standard_format(std::size_t joints) {
 SampleFormat read_sample_format(const Section& section, SampleFormat format) {
   if (section.has("csv")) read_csv(section.table("csv"), format);
   if (section.has("columns")) read_columns(section.table("columns"), format);
+  return format;
+}
+
+SampleFormat read_csv_format(const Section& section) {
+  SampleFormat format;
+  if (section.has("csv")) read_csv(section.table("csv"), format);
+  if (!format.header) section.table("csv").refuse("header", "true: columns are told by their names");
   return format;
 }
 

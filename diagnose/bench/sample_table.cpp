@@ -51,7 +51,28 @@ std::string how_to_read(const SampleTable& table, const files::CsvRow& uneven, c
          ": csv.skip_lines = " + std::to_string(uneven.line - 1);
 }
 
+/// Lines as columns: row k has field k of every line.
+/// \throws Error for lines of different lengths
+std::vector<files::CsvRow> transposed(std::vector<files::CsvRow> lines, const std::string& source) {
+  const std::size_t count = lines.front().fields.size();
+  std::vector<files::CsvRow> rows;
+  for (std::size_t field = 0; field < count; ++field) rows.push_back({field + 1, {}});
+  for (files::CsvRow& line : lines) {
+    drop_trailing(line.fields, count);
+    if (line.fields.size() != count)
+      throw Error(source + ":" + std::to_string(line.line), std::to_string(line.fields.size()) + " fields",
+                  std::to_string(count) + ", as in the first line");
+    for (std::size_t field = 0; field < count; ++field)
+      rows[field].fields.push_back(std::move(line.fields[field]));
+  }
+  return rows;
+}
+
 }  // namespace
+
+std::string SampleTable::place_of(std::size_t row, const std::string& source) const {
+  return source + (transposed ? ", field " : ":") + std::to_string(rows[row].line);
+}
 
 SampleTable parse_sample_table(const std::string& text, const std::string& source,
                                const SampleFormat& format) {
@@ -60,6 +81,8 @@ SampleTable parse_sample_table(const std::string& text, const std::string& sourc
   SampleTable table;
   table.rows = files::parse_csv(without_skipped(content, format), source,
                                 format.delimiter == ' ' ? '\t' : format.delimiter);
+  table.transposed = format.transposed;
+  if (format.transposed) table.rows = transposed(std::move(table.rows), source);
   auto first = table.rows.begin();
   if (format.header) {
     table.header_line = first->line;

@@ -14,6 +14,10 @@ struct SampleTable {
   std::vector<std::string> header;  ///< empty where the file has none
   std::size_t header_line = 1;      ///< 0 for a table that is not in a file
   std::vector<files::CsvRow> rows;  ///< all with as many fields as the header
+  bool transposed = false;          ///< a row was a field of every line; its number counts these
+
+  /// "press.csv:7", or of a transposed table "press.csv, field 7".
+  [[nodiscard]] std::string place_of(std::size_t row, const std::string& source) const;
 };
 
 /// \throws Error that names the source and the line: quotes that do not match, no row, a row of another

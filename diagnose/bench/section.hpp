@@ -42,6 +42,11 @@ class Section {
   [[nodiscard]] Section table_or_empty(const std::string& key) const;
   /// The tables `[[key]]`, or none.
   [[nodiscard]] std::vector<Section> tables(const std::string& key) const;
+  /// A table in a list of this section.
+  /// \param path  from here: "samples[2]"
+  [[nodiscard]] Section entry(const toml::table& table, const std::string& path) const {
+    return {table, source_, path_ + path + "."};
+  }
   /// A non-empty text.
   [[nodiscard]] std::string text(const std::string& key, const std::string& expected) const;
   /// A text short enough for a line of a report.

@@ -24,6 +24,9 @@ const Quantity stiffness{"a stiffness of a joint",
                          {2, 1, -2, -1},
                          "N m/rad",
                          "N m/rad, N mm/rad, N mm/deg, mN m/rad, kgf cm/rad, lbf in/rad"};
+const Quantity sliding_stiffness{
+    "a stiffness of a joint that slides", {0, 1, -2, 0}, "N/m", "N/m, N/mm, N/um, kgf/mm, lbf/in"};
+const Quantity torque{"a torque", {2, 1, -2, 0}, "N m", "N m, N mm, N cm, kgf cm, lbf in"};
 const Quantity acceleration{"an acceleration", {.length = 1, .time = -2}, "m/s^2", "m/s^2, mm/s^2, ft/s^2"};
 
 }  // namespace quantity

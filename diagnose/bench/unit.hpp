@@ -29,7 +29,7 @@ struct Quantity {
 };
 
 namespace quantity {
-extern const Quantity length, force, angle, time, mass, stiffness, acceleration;
+extern const Quantity length, force, angle, time, mass, stiffness, acceleration, torque, sliding_stiffness;
 }
 
 struct Unit {

@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "diagnose/design/commanded_runs.hpp"
 #include "diagnose/rig/nominal.hpp"
 
 namespace plumbline::diagnose {
@@ -21,7 +22,10 @@ struct Direction {
   Vector2 along;
 };
 
-const std::vector<Direction>& directions() {
+/// A joint alone goes one way or the other.
+const std::vector<Direction>& directions(Alone alone) {
+  static const std::vector<Direction> line{{"down", {-1, 0}}, {"up", {1, 0}}};
+  if (alone != Alone::no) return line;
   static const std::vector<Direction> all{{"along -x", {-1, 0}},
                                           {"along +x", {1, 0}},
                                           {"along +y", {0, 1}},
@@ -33,13 +37,34 @@ const std::vector<Direction>& directions() {
   return all;
 }
 
-double largest_deflection(const Trace& trace, const std::vector<double>& rest) {
+/// Of a joint from its command, predicted or measured.
+/// \param angle  of a reading and joint, by their numbers
+template <class Angle>
+double largest_deflection(const Run& run, Angle angle) {
   double largest = 0;
-  for (std::size_t i = 0; i < rest.size(); ++i) {
-    const auto q = trace.col(column_q + static_cast<Eigen::Index>(i));
-    largest = std::max(largest, (q - rest[i]).abs().maxCoeff());
+  for (std::size_t r = 0; r < run.readings.size(); ++r) {
+    const std::vector<double>& rest = run.rest_at(run.readings[r]);
+    for (std::size_t i = 0; i < rest.size(); ++i)
+      if (const double turn = std::abs(angle(r, i) - rest[i]); std::isfinite(turn))
+        largest = std::max(largest, turn);
   }
   return largest;
+}
+
+double largest_deflection(const Trace& trace, const Run& run) {
+  return largest_deflection(run, [&](std::size_t reading, std::size_t joint) {
+    return trace(static_cast<Eigen::Index>(reading), column_q + static_cast<Eigen::Index>(joint));
+  });
+}
+
+/// How far from their commands joints were read; 0 where they are not commanded: their chain may have play.
+double reached(const Run& run) {
+  if (!run.commands_joints()) return 0;
+  return largest_deflection(run, [&](std::size_t reading, std::size_t joint) {
+    const Reading& one = run.readings[reading];
+    if (run.alone != Alone::no) return one.x;
+    return one.q.empty() ? not_measured : one.q[joint];
+  });
 }
 
 double largest_force(const Trace& trace) {
@@ -47,18 +72,21 @@ double largest_force(const Trace& trace) {
 }
 
 /// A run whose command moves from `start` by `by`, and back if asked.
-Run gone(Control control, const std::vector<double>& rest, const Vector2& start, const Vector2& by, bool back,
-         double pause) {
-  Run run{"proposed", control, rest, {}};
+Run gone(const Shape& from, const Vector2& start, const Vector2& by, bool back,
+         const OperatingEnvelope& so_far) {
+  const double pause = so_far.sampling_interval;
+  Run run{"proposed", from.control, from.rest, {}};
+  run.alone = from.alone;
   const int last = back ? 2 * press_steps : press_steps;
   for (int i = 0; i <= last; ++i) {
     const double share = static_cast<double>(std::min(i, 2 * press_steps - i)) / press_steps;
     const Vector2 to = start + share * by;
-    if (control == Control::end_point) {
+    if (from.control == Control::end_point) {
       run.readings.push_back({i * pause, to.x(), to.y(), not_measured, not_measured, {}});
     } else {
       run.readings.push_back({i * pause, not_measured, not_measured, to.x(), to.y(), {}});
     }
+    run.readings.back().covariates = so_far.covariates;
   }
   return run;
 }
@@ -73,7 +101,7 @@ bool follows(const Experiment& experiment, const Run& run, const OperatingEnvelo
   Experiment bench = experiment;
   bench.runs = {run};
   const Prediction nominal = simulate(bench, nominal_rig(bench), {});
-  return nominal.reached && !nominal.snapped && so_far.allows(nominal.runs[0], run.rest);
+  return nominal.reached && !nominal.snapped && so_far.allows(nominal.runs[0], run);
 }
 
 /// The two longest distances along a direction, in a ratio of 3/2, that the nominal chain can follow.
@@ -85,8 +113,7 @@ std::vector<double> ways(const Experiment& experiment, const Shape& shape, const
   std::vector<double> all;
   for (int power = longest; power >= shortest && all.size() < 2; --power) {
     const double by = std::pow(1.5, power) * so_far.travel;
-    const Run there_and_back =
-        gone(Control::end_point, shape.rest, start, by * along, true, so_far.sampling_interval);
+    const Run there_and_back = gone(shape, start, by * along, true, so_far);
     if (follows(experiment, there_and_back, so_far)) all.push_back(by);
   }
   std::reverse(all.begin(), all.end());
@@ -97,19 +124,20 @@ std::vector<CandidateRun> presses(const Experiment& experiment, const Shape& sha
                                   const OperatingEnvelope& so_far) {
   std::vector<CandidateRun> all;
   const Vector2 start = unloaded_end(experiment, shape.rest);
-  for (const Direction& one : directions())
+  const bool turns = shape.alone == Alone::turns;
+  for (const Direction& one : directions(shape.alone))
     for (const double by : ways(experiment, shape, start, one.along, so_far))
       for (const bool back : {false, true})
-        all.push_back(
-            {fmt::format("press {} by {:.3g} m from {}{}", one.name, by, shape.words,
-                         back ? " and unload" : ""),
-             gone(Control::end_point, shape.rest, start, by * one.along, back, so_far.sampling_interval)});
+        all.push_back({fmt::format("{} {} by {:.3g} {} from {}{}", turns ? "turn" : "press", one.name, by,
+                                   turns ? "rad" : "m", shape.words, back ? " and unload" : ""),
+                       gone(shape, start, by * one.along, back, so_far)});
   return all;
 }
 
-/// The largest load along a direction that deflects the nominal chain no more than is wanted.
-std::optional<Vector2> bearable(const Experiment& experiment, const Shape& shape, const Vector2& along,
-                                const OperatingEnvelope& so_far) {
+}  // namespace
+
+std::optional<Vector2> bearable_load(const Experiment& experiment, const Shape& shape, const Vector2& along,
+                                     const OperatingEnvelope& so_far) {
   constexpr double usual_deflection = 0.33;  // rad
   const double wanted = so_far.deflection > 0 ? so_far.deflection : usual_deflection;
   const double shortest = *std::min_element(experiment.link_length.begin(), experiment.link_length.end());
@@ -118,26 +146,42 @@ std::optional<Vector2> bearable(const Experiment& experiment, const Shape& shape
   double force = so_far.force > 0 ? so_far.force : 2 * wanted * stiffest / shortest;
   for (int halved = 0; halved < 12; ++halved, force /= 2) {
     Experiment bench = experiment;
-    bench.runs = {gone(Control::force, shape.rest, {0, 0}, force * along, true, so_far.sampling_interval)};
+    bench.runs = {gone(shape, {0, 0}, force * along, true, so_far)};
     const Prediction nominal = simulate(bench, nominal_rig(bench), {});
-    if (nominal.reached && !nominal.snapped && largest_deflection(nominal.runs[0], shape.rest) <= wanted)
+    if (nominal.reached && !nominal.snapped && largest_deflection(nominal.runs[0], bench.runs[0]) <= wanted)
       return force * along;
   }
   return std::nullopt;
 }
 
+namespace {
+
 std::vector<CandidateRun> loads(const Experiment& experiment, const Shape& shape,
                                 const OperatingEnvelope& so_far) {
   std::vector<CandidateRun> all;
-  for (const Direction& one : directions()) {
-    const std::optional<Vector2> load = bearable(experiment, shape, one.along, so_far);
+  for (const Direction& one : directions(shape.alone)) {
+    const std::optional<Vector2> load = bearable_load(experiment, shape, one.along, so_far);
     if (!load) continue;
     for (const bool back : {false, true})
-      all.push_back({fmt::format("load with {:.3g} N {} from {}{}", load->norm(), one.name, shape.words,
+      all.push_back({fmt::format("load with {:.3g} {} {} from {}{}", load->norm(),
+                                 shape.alone == Alone::turns ? "N m" : "N", one.name, shape.words,
                                  back ? " and unload" : ""),
-                     gone(Control::force, shape.rest, {0, 0}, *load, back, so_far.sampling_interval)});
+                     gone(shape, {0, 0}, *load, back, so_far)});
   }
   return all;
+}
+
+/// Their means over all readings.
+std::vector<double> mean_covariates(const Experiment& experiment) {
+  std::vector<double> sums(experiment.covariates.size());
+  double count = 0;
+  for (const Run& run : experiment.runs)
+    for (const Reading& reading : run.readings) {
+      for (std::size_t c = 0; c < sums.size(); ++c) sums[c] += reading.covariates[c];
+      ++count;
+    }
+  for (double& sum : sums) sum /= count;
+  return sums;
 }
 
 }  // namespace
@@ -146,9 +190,9 @@ bool OperatingEnvelope::is_limit() const {
   return force > 0 || deflection > 0;
 }
 
-bool OperatingEnvelope::allows(const Trace& trace, const std::vector<double>& rest) const {
+bool OperatingEnvelope::allows(const Trace& trace, const Run& run) const {
   return (force == 0 || largest_force(trace) <= 2 * force) &&
-         (deflection == 0 || largest_deflection(trace, rest) <= 1.5 * deflection);
+         (deflection == 0 || largest_deflection(trace, run) <= 1.5 * deflection);
 }
 
 OperatingEnvelope operating_envelope(const Study& study) {
@@ -162,9 +206,8 @@ OperatingEnvelope operating_envelope(const Study& study) {
     if (run.readings.empty()) continue;
     const Vector2 start = unloaded_end(experiment, run.rest);
     so_far.force = std::max(so_far.force, largest_force(trace));
+    so_far.deflection = std::max({so_far.deflection, largest_deflection(trace, run), reached(run)});
     for (Eigen::Index i = 0; i < trace.rows(); ++i) {
-      const std::vector<double>& rest = run.rest_at(run.readings[static_cast<std::size_t>(i)]);
-      so_far.deflection = std::max(so_far.deflection, largest_deflection(trace.middleRows(i, 1), rest));
       const double way = (Vector2(trace(i, column_x), trace(i, column_y)) - start).norm();
       if (run.holds_end_point()) so_far.travel = std::max(so_far.travel, way);
     }
@@ -173,6 +216,7 @@ OperatingEnvelope operating_envelope(const Study& study) {
   constexpr double rounding = 1e-9;  // rad: the deflection of joints that nothing loads
   if (so_far.deflection < rounding) so_far.deflection = 0;
   if (pause > 0) so_far.sampling_interval = pause;
+  so_far.covariates = mean_covariates(experiment);
   if (so_far.travel == 0) {
     for (const double length : experiment.link_length) so_far.travel += 0.05 * length;
   }
@@ -188,11 +232,14 @@ std::vector<Shape> shapes(const Experiment& experiment, std::size_t most) {
     if (!known && all.size() < most) all.push_back(std::move(one));
   };
   std::vector<const Run*> runs;
-  for (const Run& run : experiment.runs) runs.push_back(&run);
+  for (const Run& run : experiment.runs)
+    if (!run.commands_joints()) runs.push_back(&run);
   std::sort(runs.begin(), runs.end(), [](const Run* a, const Run* b) { return a->id < b->id; });
-  for (const Run* run : runs) add({run->control, run->rest, "the rest shape of " + run->id});
+  const bool alone = experiment.alone != Alone::no;
   for (const Run* run : runs)
-    add({run->control, mirrored(run->rest), "the mirrored rest shape of " + run->id});
+    add({run->control, run->rest, (alone ? "the rest of " : "the rest shape of ") + run->id, run->alone});
+  for (const Run* run : runs)
+    if (!alone) add({run->control, mirrored(run->rest), "the mirrored rest shape of " + run->id});
   return all;
 }
 
@@ -200,6 +247,14 @@ std::vector<CandidateRun> runs_from(const Experiment& experiment, const Shape& s
                                     const OperatingEnvelope& so_far) {
   return shape.control == Control::end_point ? presses(experiment, shape, so_far)
                                              : loads(experiment, shape, so_far);
+}
+
+std::vector<CandidateRun> candidate_runs(const Experiment& experiment, std::size_t most_shapes,
+                                         const OperatingEnvelope& so_far) {
+  std::vector<CandidateRun> all = commanded_runs(experiment, so_far);
+  for (const Shape& shape : shapes(experiment, most_shapes))
+    for (CandidateRun& one : runs_from(experiment, shape, so_far)) all.push_back(std::move(one));
+  return all;
 }
 
 }  // namespace plumbline::diagnose

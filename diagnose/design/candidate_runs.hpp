@@ -1,7 +1,8 @@
 #pragma once
 /// \file
-/// Feasible runs of a bench: presses of the end point and dead loads, from its rest shapes.
+/// Feasible runs of a bench: presses of the end point and dead loads from its rest shapes, poses and sweeps.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,13 +15,14 @@ struct OperatingEnvelope {
   double travel = 0;      ///< of a held end point, m; a twentieth of the chain where none was commanded
   double force = 0;       ///< on the end point, N
   double deflection = 0;  ///< of a joint, rad
-  double sampling_interval = 2;  ///< of the slowest run, s
+  double sampling_interval = 2;         ///< of the slowest run, s
+  std::vector<double> covariates = {};  ///< their means
 
   /// Whether the runs so far set any limit.
   [[nodiscard]] bool is_limit() const;
   /// Whether the first run of a prediction stays within twice the force and one and a half times the
   /// deflection of the runs so far; always, where these set no limit.
-  [[nodiscard]] bool allows(const Trace& trace, const std::vector<double>& rest) const;
+  [[nodiscard]] bool allows(const Trace& trace, const Run& run) const;
 };
 
 OperatingEnvelope operating_envelope(const Study& study);
@@ -35,9 +37,11 @@ struct Shape {
   Control control;
   std::vector<double> rest;
   std::string words;
+  Alone alone = Alone::no;
 };
 
-/// The distinct rest shapes of the runs, by their ids, followed by their mirror images.
+/// The distinct rest shapes of the runs whose joints are not commanded, by their ids, followed by their
+/// mirror images.
 /// \param most  largest number of shapes
 std::vector<Shape> shapes(const Experiment& experiment, std::size_t most);
 
@@ -48,5 +52,15 @@ std::vector<Shape> shapes(const Experiment& experiment, std::size_t most);
 /// radian without limits).
 std::vector<CandidateRun> runs_from(const Experiment& experiment, const Shape& shape,
                                     const OperatingEnvelope& so_far);
+
+/// The largest load along a direction that deflects the nominal chain from a shape no more than before, or by
+/// a third of a radian where nothing did; nothing where none does.
+std::optional<Vector2> bearable_load(const Experiment& experiment, const Shape& shape, const Vector2& along,
+                                     const OperatingEnvelope& so_far);
+
+/// All candidates: runs from the shapes, and those of commanded joints.
+/// \param most_shapes  largest number of shapes
+std::vector<CandidateRun> candidate_runs(const Experiment& experiment, std::size_t most_shapes,
+                                         const OperatingEnvelope& so_far);
 
 }  // namespace plumbline::diagnose

@@ -40,9 +40,8 @@ std::vector<CandidateRun> planned_runs(const Experiment& bench) {
 /// Presses and loads, there and back, that the nominal model can follow within the operating envelope.
 std::vector<CandidateRun> further_runs(const Experiment& bench, const OperatingEnvelope& so_far) {
   std::vector<CandidateRun> all;
-  for (const Shape& shape : shapes(bench, most_shapes))
-    for (CandidateRun& one : runs_from(bench, shape, so_far))
-      if (one.run.turns_back()) all.push_back(std::move(one));
+  for (CandidateRun& one : candidate_runs(bench, most_shapes, so_far))
+    if (one.run.turns_back()) all.push_back(std::move(one));
   return all;
 }
 

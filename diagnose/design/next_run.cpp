@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "diagnose/design/candidate_poses.hpp"
 #include "diagnose/design/candidate_runs.hpp"
 #include "diagnose/design/expected_information.hpp"
 #include "diagnose/design/separation.hpp"
@@ -38,7 +39,7 @@ std::optional<std::vector<Prediction>> predictions(const Study& bench,
   for (const Hypothesis& hypothesis : hypotheses) {
     all.push_back(predict(bench, hypothesis.candidate, hypothesis.parameters, true));
     const Prediction& one = all.back();
-    if (!one.reached || one.snapped || !so_far.allows(one.runs[0], bench.experiment().runs[0].rest))
+    if (!one.reached || one.snapped || !so_far.allows(one.runs[0], bench.experiment().runs[0]))
       return std::nullopt;
   }
   return all;
@@ -46,12 +47,12 @@ std::optional<std::vector<Prediction>> predictions(const Study& bench,
 
 /// The measured channels of a run that have a noise, with joint angles where they are asked for.
 std::vector<Channel> channels_of(const Run& run, const Noise& sigma, bool angles) {
-  using Name = Channel::Name;
-  std::vector<Channel> channels;
-  for (const Name name :
-       run.holds_end_point() ? std::array{Name::Fx, Name::Fy} : std::array{Name::x, Name::y})
-    channels.push_back({name});
-  for (std::size_t j = 0; angles && j < run.rest.size(); ++j) channels.push_back({Name::q, j});
+  std::vector<Channel> channels = run.answering();
+  for (std::size_t j = 0; angles && run.alone == Alone::no && j < run.rest.size(); ++j)
+    channels.push_back({Channel::Name::q, j});
+  for (const Channel& one : run.measured())
+    if (one.name >= Channel::Name::place && std::isfinite(one.of(run.readings.front())))
+      channels.push_back(one);
   std::erase_if(channels, [&](const Channel& one) { return !(one.sigma(sigma) > 0); });
   return channels;
 }
@@ -121,7 +122,7 @@ class Planner {
       : experiment_(study.experiment()),
         noise_(noise),
         so_far_(operating_envelope(study)),
-        reads_angles_(study.scales().measures(Channel::Name::q)),
+        reads_angles_(study.scales().measures(Channel::Name::q) || !study.scales().links),
         hypotheses_(hypotheses) {
     for (const Hypothesis& hypothesis : hypotheses_) open_.push_back(covariance(study, hypothesis));
     for (const Hypothesis& truth : hypotheses_)
@@ -131,8 +132,11 @@ class Planner {
         expected_log_odds(hypotheses_.size(), [&](std::size_t a, std::size_t b) { return known(a, b); });
   }
 
-  void add_runs_from(const Shape& shape) {
-    for (const CandidateRun& one : runs_from(experiment_, shape, so_far_)) add(one.description, one.run);
+  void add_candidates() {
+    constexpr std::size_t shapes = 12;
+    for (const CandidateRun& one :
+         experiment_.arm ? candidate_poses(experiment_) : candidate_runs(experiment_, shapes, so_far_))
+      add(one.description, one.run);
   }
 
   [[nodiscard]] std::vector<Proposal> best(std::size_t count, Aim aim) {
@@ -166,12 +170,12 @@ class Planner {
   void add(const std::string& what, const Run& run) {
     const bool weighs = experiment_.bench.plane != Bench::Plane::horizontal;
     for (const bool out_of_gravity : {false, true}) {
-      if (out_of_gravity && !weighs) continue;
+      if (out_of_gravity && (!weighs || experiment_.arm)) continue;
       const Study bench(bench_for(experiment_, run, out_of_gravity));
       const auto all = predictions(bench, hypotheses_, so_far_);
       if (!all) continue;
       for (const bool angles : {false, true}) {
-        if (reads_angles_ && !angles) continue;
+        if (experiment_.arm ? reads_angles_ != angles : reads_angles_ && !angles) continue;
         const std::vector<Forecast> hypotheses = forecasts(*all, run, angles);
         const Forecast nominal = forecasts({bench.nominal()}, run, angles).front();
         if (hypotheses.front().read.size() == 0) continue;
@@ -199,7 +203,7 @@ class Planner {
   const Experiment& experiment_;
   const NoiseEstimate& noise_;
   OperatingEnvelope so_far_;
-  bool reads_angles_;  ///< in the experiment so far
+  bool reads_angles_;  ///< in the experiment so far; a joint alone has no other angles
   const std::vector<Hypothesis>& hypotheses_;
   std::vector<MatrixXd> open_;                ///< covariance of their parameters
   std::vector<LinearisedAlternative> known_;  ///< [truth][alternative]
@@ -211,9 +215,8 @@ class Planner {
 
 std::vector<Proposal> next_runs(const Study& study, const std::vector<Hypothesis>& hypotheses,
                                 const NoiseEstimate& noise, std::size_t count, Aim aim) {
-  constexpr std::size_t most_shapes = 12;
   Planner planner(study, hypotheses, noise);
-  for (const Shape& shape : shapes(study.experiment(), most_shapes)) planner.add_runs_from(shape);
+  planner.add_candidates();
   return planner.best(count, aim);
 }
 

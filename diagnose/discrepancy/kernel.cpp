@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "diagnose/priors.hpp"
 #include "diagnose/rig/rig.hpp"
@@ -35,9 +36,47 @@ std::vector<double> directions(const std::vector<Eigen::Vector2d>& command) {
   return result;
 }
 
+/// How alike runs are in the plane: by control and rest shape.
+MatrixXd likeness(const Experiment& experiment) {
+  const auto n = static_cast<Eigen::Index>(experiment.runs.size());
+  MatrixXd alike = MatrixXd::Zero(n, n);
+  constexpr double near_shape = 0.3;  // rad
+  for (Eigen::Index a = 0; a < n; ++a)
+    for (Eigen::Index b = 0; b < n; ++b) {
+      const Run &one = experiment.runs[static_cast<std::size_t>(a)],
+                &other = experiment.runs[static_cast<std::size_t>(b)];
+      if (one.holds_end_point() != other.holds_end_point()) continue;
+      double sum = 0;
+      for (std::size_t j = 0; j < one.rest.size(); ++j) sum += std::pow(one.rest[j] - other.rest[j], 2);
+      alike(a, b) = std::exp(-sum / static_cast<double>(one.rest.size()) / (2 * near_shape * near_shape));
+    }
+  return alike;
+}
+
+/// Between which values a joint is commanded.
+struct Extent {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  void add(double value) { low = std::min(low, value), high = std::max(high, value); }
+  [[nodiscard]] bool any() const { return high > low; }
+  /// From -1 to 1.
+  [[nodiscard]] double share(double value) const { return (2 * value - low - high) / (high - low); }
+};
+
+Eigen::Vector3d force_of(const Reading& reading) {
+  if (reading.wrench.empty()) return Eigen::Vector3d::Zero();
+  return Eigen::Map<const Eigen::Vector3d>(reading.wrench.data());
+}
+
 }  // namespace
 
 CommandStates::CommandStates(const Experiment& experiment) {
+  if (experiment.arm)
+    add_arm(experiment);
+  else
+    add_chain(experiment);
+}
+
+void CommandStates::add_chain(const Experiment& experiment) {
   double reach[2] = {1e-300, 1e-300}, longest = 1e-300;
   std::vector<std::vector<Eigen::Vector2d>> command;
   for (const Run& run : experiment.runs) {
@@ -67,24 +106,47 @@ CommandStates::CommandStates(const Experiment& experiment) {
     double way = 0;
     for (std::size_t i = 0; i < command[r].size(); ++i) {
       if (i > 0) way += (command[r][i] - command[r][i - 1]).norm();
-      of.back().push_back({command[r][i], direction[i], way});
+      of.back().push_back({{{command[r][i].x(), command[r][i].y(), 0}}, {direction[i]}, way});
     }
     longest = std::max(longest, way);
   }
   for (auto& run : of)
     for (CommandState& one : run) one.progress /= longest;
-  const auto n = static_cast<Eigen::Index>(experiment.runs.size());
-  alike = MatrixXd::Zero(n, n);
-  constexpr double near_shape = 0.3;  // rad
-  for (Eigen::Index a = 0; a < n; ++a)
-    for (Eigen::Index b = 0; b < n; ++b) {
-      const Run &one = experiment.runs[static_cast<std::size_t>(a)],
-                &other = experiment.runs[static_cast<std::size_t>(b)];
-      if (one.holds_end_point() != other.holds_end_point()) continue;
-      double sum = 0;
-      for (std::size_t j = 0; j < one.rest.size(); ++j) sum += std::pow(one.rest[j] - other.rest[j], 2);
-      alike(a, b) = std::exp(-sum / static_cast<double>(one.rest.size()) / (2 * near_shape * near_shape));
+  alike = likeness(experiment);
+}
+
+void CommandStates::add_arm(const Experiment& experiment) {
+  const std::size_t joints = experiment.arm->arm.size();
+  std::vector<Extent> extent(joints);
+  double heaviest = 0;
+  for (const Run& run : experiment.runs)
+    for (const Reading& reading : run.readings) {
+      for (std::size_t j = 0; j < joints; ++j) extent[j].add(reading.rest[j]);
+      heaviest = std::max(heaviest, force_of(reading).norm());
     }
+  for (const Run& run : experiment.runs) {
+    of.emplace_back();
+    knows_rest.push_back(false);
+    std::vector<double> way(joints + 1, 1);
+    const Reading* last = nullptr;
+    for (const Reading& reading : run.readings) {
+      CommandState state{{}, {}, 0};
+      for (std::size_t j = 0; j < joints; ++j) {
+        if (last && reading.rest[j] != last->rest[j]) way[j] = reading.rest[j] > last->rest[j] ? 1 : -1;
+        if (!extent[j].any()) continue;
+        state.command.emplace_back(extent[j].share(reading.rest[j]), 0, 0);
+        state.direction.push_back(way[j]);
+      }
+      if (heaviest > 0 || state.command.empty()) {
+        state.command.push_back(force_of(reading) / std::max(heaviest, 1e-300));
+        state.direction.push_back(1);
+      }
+      of.back().push_back(std::move(state));
+      last = &reading;
+    }
+  }
+  const auto n = static_cast<Eigen::Index>(experiment.runs.size());
+  alike = MatrixXd::Ones(n, n);
 }
 
 namespace {
@@ -101,7 +163,8 @@ class Kernel {
   /// At two values of the block.
   [[nodiscard]] double operator()(Eigen::Index i, Eigen::Index j) const {
     const ReadingPlace &p = place(i), &q = place(j);
-    const CommandState &a = states_.of[p.run][p.reading], &b = states_.of[q.run][q.reading], rest;
+    const CommandState &a = states_.of[p.run][p.reading], &b = states_.of[q.run][q.reading];
+    static const CommandState rest;
     const bool knows_rest = states_.knows_rest[p.run];
     double common = smooth(a, b), own = 0;
     if (knows_rest) common -= smooth(a, rest) * smooth(rest, b);
@@ -117,8 +180,11 @@ class Kernel {
     return measurements_.places()[static_cast<std::size_t>(first_ + i)];
   }
   [[nodiscard]] double smooth(const CommandState& a, const CommandState& b) const {
-    return matern((a.command - b.command).norm(), length_) *
-           ((1 - priors::directional_share) + priors::directional_share * a.direction * b.direction);
+    double sum = 0;
+    for (std::size_t k = 0; k < a.command.size(); ++k)
+      sum += matern((a.command[k] - b.command[k]).norm(), length_) *
+             ((1 - priors::directional_share) + priors::directional_share * a.direction[k] * b.direction[k]);
+    return sum / static_cast<double>(a.command.size());
   }
 
   const CommandStates& states_;

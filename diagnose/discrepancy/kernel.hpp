@@ -12,9 +12,11 @@ namespace plumbline::diagnose {
 
 /// A reading in the coordinates of the process.
 struct CommandState {
-  Eigen::Vector2d command{0, 0};  ///< from rest, over the largest of its kind of control
-  double direction = 1;           ///< 1 away from rest, -1 back
-  double progress = 0;            ///< way covered in the run until then, over the longest of any run
+  /// What was commanded: from rest, over the largest of its kind of control. An arm in space has an entry for
+  /// each joint that moves, and one for its load: what is beside the model is a sum of functions of each.
+  std::vector<Eigen::Vector3d> command{{0, 0, 0}};
+  std::vector<double> direction{1};  ///< of each: 1 away from rest, -1 back
+  double progress = 0;               ///< way covered in the run until then, over the longest of any run
 };
 
 /// The states of all readings, and how alike the runs are.
@@ -24,6 +26,10 @@ struct CommandStates {
   MatrixXd alike;                             ///< of runs, in [0, 1]: by control and rest shape
   /// By run, whether its command tells when nothing is loaded. In a sag test without forces none does.
   std::vector<bool> knows_rest;
+
+ private:
+  void add_chain(const Experiment& experiment);
+  void add_arm(const Experiment& experiment);
 };
 
 /// A basis for the discrepancies of a block at several correlation lengths: columns C C' is the covariance of

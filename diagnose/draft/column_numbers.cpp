@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace plumbline::diagnose {
 namespace {
@@ -36,6 +37,26 @@ double written_step(const Values& values) {
 }
 
 }  // namespace
+
+std::optional<std::vector<double>> numbers_in(const std::string& text) {
+  std::string plain = text;
+  std::replace_if(
+      plain.begin(), plain.end(), [](char c) { return c == ',' || c == ';' || c == '[' || c == ']'; }, ' ');
+  std::istringstream in(plain);
+  Values all;
+  for (double value = 0; in >> value;) all.push_back(value);
+  return in.eof() ? std::optional(all) : std::nullopt;
+}
+
+double farthest(const Values& xs, const Values& ys, const std::array<double, 2>& base, double unit) {
+  double far = 0;
+  for (std::size_t i = 0; i < std::max(xs.size(), ys.size()); ++i) {
+    const double a = i < xs.size() && std::isfinite(xs[i]) ? xs[i] * unit - base[0] : 0;
+    const double b = i < ys.size() && std::isfinite(ys[i]) ? ys[i] * unit - base[1] : 0;
+    far = std::max(far, std::hypot(a, b));
+  }
+  return far;
+}
 
 std::vector<double> finite(Values values) {
   std::erase_if(values, [](double v) { return !std::isfinite(v); });

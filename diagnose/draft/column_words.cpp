@@ -88,6 +88,12 @@ std::string last_axis(const Words& words) {
   return "";
 }
 
+/// Whether a unit is one of temperature.
+bool is_temperature(const std::string& unit) {
+  static const std::set<std::string> units{"c", "\u00b0c", "degc", "deg c", "celsius"};
+  return units.contains(lower(trimmed(unit)));
+}
+
 Kind kind_of(const Words& words) {
   static const std::set<std::string> times{"t",         "time",  "zeit", "temps",   "tiempo",
                                            "timestamp", "stamp", "secs", "seconds", "ts"},
@@ -95,8 +101,11 @@ Kind kind_of(const Words& words) {
       places{"x", "y", "z"},
       angles{"q", "joint", "angle", "theta", "winkel", "phi", "gelenk", "encoder", "enc", "jnt", "servo"},
       runs{"run", "trial", "versuch", "essai", "experiment", "lauf", "rep", "repetition", "cycle"},
-      speeds{"v",     "vel",    "velocity", "dq",     "qd",      "speed", "acc",
-             "accel", "torque", "tau",      "effort", "current", "temp",  "temperature"};
+      speeds{"v",   "vel",   "velocity", "dq",  "qd",     "speed",
+             "acc", "accel", "torque",   "tau", "effort", "current"},
+      temperatures{"temp", "temperature", "temperatur"}, humidities{"humidity", "humid", "feuchte", "rh"};
+  if (any(words, temperatures)) return Kind::temperature;
+  if (any(words, humidities)) return Kind::humidity;
   if (any(words, speeds)) return Kind::none;
   const std::string axis = last_axis(words);
   if (any(words, forces))
@@ -115,6 +124,25 @@ Kind kind_of(const Words& words) {
 
 }  // namespace
 
+std::vector<ColumnWords> words_of_standard(std::size_t columns, std::size_t joints) {
+  constexpr std::array order{Kind::time, Kind::x, Kind::y, Kind::force_x, Kind::force_y};
+  if (columns != order.size() && columns != order.size() + joints) return {};
+  std::vector<ColumnWords> words(columns);
+  for (std::size_t c = 0; c < columns; ++c) {
+    words[c].kind = c < order.size() ? order[c] : Kind::angle;
+    if (c >= order.size()) words[c].joint = c - order.size() + 1;
+  }
+  return words;
+}
+
+bool is_force(Kind kind) {
+  return kind == Kind::force || kind == Kind::force_x || kind == Kind::force_y || kind == Kind::force_z;
+}
+
+bool is_place(Kind kind) {
+  return kind == Kind::x || kind == Kind::y || kind == Kind::z || kind == Kind::angle;
+}
+
 const Quantity* quantity_of(Kind kind) {
   switch (kind) {
     case Kind::time:
@@ -132,6 +160,8 @@ const Quantity* quantity_of(Kind kind) {
       return &quantity::angle;
     case Kind::none:
     case Kind::run:
+    case Kind::temperature:
+    case Kind::humidity:
       break;
   }
   return nullptr;
@@ -143,7 +173,7 @@ ColumnWords words_of(const std::string& title, const std::string& below,
   const std::string in_brackets = bracketed(title);
   const std::string name = in_brackets.empty() ? title : title.substr(0, title.find_first_of("[({/"));
   const Words words = split(name);
-  result.kind = kind_of(words);
+  result.kind = is_temperature(in_brackets) || is_temperature(below) ? Kind::temperature : kind_of(words);
   const auto named = std::find_if(joints.begin(), joints.end(), [&](const std::string& joint) {
     return !joint.empty() && lower(name).find(lower(joint)) != std::string::npos;
   });

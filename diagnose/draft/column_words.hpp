@@ -3,13 +3,14 @@
 /// The meaning of a column title: quantity, joint, unit.
 
 #include <string>
+#include <vector>
 
 #include "diagnose/bench/unit.hpp"
 
 namespace plumbline::diagnose {
 
 /// The content of a column.
-enum class Kind { none, time, x, y, z, force_x, force_y, force_z, force, angle, run };
+enum class Kind { none, time, x, y, z, force_x, force_y, force_z, force, angle, run, temperature, humidity };
 
 struct ColumnWords {
   Kind kind = Kind::none;
@@ -24,7 +25,15 @@ struct ColumnWords {
 ColumnWords words_of(const std::string& title, const std::string& below,
                      const std::vector<std::string>& joints);
 
-/// The quantity of a kind; nothing of a run.
+/// The meaning of columns without a word, as the format has them: t, x, y, Fx, Fy, and the angles of so many
+/// joints or none; empty for another number of columns.
+std::vector<ColumnWords> words_of_standard(std::size_t columns, std::size_t joints);
+
+bool is_force(Kind kind);
+/// Whether a column says where the chain is: a place or an angle.
+bool is_place(Kind kind);
+
+/// The quantity of a kind; nothing of a run or a covariate.
 const Quantity* quantity_of(Kind kind);
 
 }  // namespace plumbline::diagnose

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 #include <plumbline/base/error.hpp>
 #include <sstream>
@@ -16,21 +17,28 @@
 namespace plumbline::diagnose {
 namespace {
 
-/// What tells the runs in one table apart: a column that names them, or commanded angles that change.
+/// What tells the runs in one table apart: a column that names them, or, where there is no time, commanded
+/// angles that change.
 std::vector<std::size_t> run_columns(const WrittenTable& table, const DraftModel& model) {
   std::vector<std::size_t> naming, commands;
+  bool timed = false;
   for (std::size_t c = 0; c < table.names.size(); ++c) {
     const ColumnWords words =
         words_of(table.names[c], c < table.units.size() ? table.units[c] : "", model.joints);
-    if (words.kind == Kind::run) naming.push_back(c);
+    const std::string& name = table.names[c];
+    const bool numbered = !name.empty() && std::isdigit(static_cast<unsigned char>(name.back())) != 0;
+    if (words.kind == Kind::run && !numbered) naming.push_back(c);  // "run 1" is a run, and names none
     if (words.kind == Kind::angle && words.commanded) commands.push_back(c);
+    timed = timed || words.kind == Kind::time;
   }
-  return naming.empty() ? commands : naming;
+  if (!naming.empty()) return naming;
+  return timed ? std::vector<std::size_t>() : commands;
 }
 
 /// The table cut into one a run; itself where it has one.
 std::vector<DraftFile> cut_into_runs(const DraftFile& file, const DraftModel& model, Guesses& guesses) {
   const WrittenTable table = written_table(file.text, file.name);
+  if (table.format.transposed) return {file};
   const std::vector<std::size_t> columns = run_columns(table, model);
   std::vector<std::string> keys;
   std::map<std::string, std::vector<std::size_t>> lines;
@@ -81,15 +89,18 @@ class Drafting {
     experiment_.name = std::move(name);
   }
 
-  void add(const DraftFile& file) {
-    for (DraftFile& one : cut_into_runs(file, model_, draft_.guesses)) {
-      const auto same = [&](const DraftFile& other) { return other.name == one.name; };
-      if (std::any_of(draft_.tables.begin(), draft_.tables.end(), same))
-        throw Error(files::shown(one.name), "a table of this name already", "a name for each table");
-      experiment_.runs.push_back(drafted_run(one, model_, ask_));
+  void add(const std::vector<DraftFile>& files) {
+    for (const DraftFile& file : files)
+      for (DraftFile& one : cut_into_runs(file, model_, draft_.guesses)) {
+        const auto same = [&](const DraftFile& other) { return other.name == one.name; };
+        if (std::any_of(draft_.tables.begin(), draft_.tables.end(), same))
+          throw Error(files::shown(one.name), "a table of this name already", "a name for each table");
+        draft_.tables.push_back(std::move(one));
+      }
+    for (const RunSource& source : run_sources(draft_.tables, model_.joints, draft_.guesses)) {
+      experiment_.runs.push_back(drafted_run(source, model_, ask_));
       const Guesses& guesses = experiment_.runs.back().guesses;
       draft_.guesses.insert(draft_.guesses.end(), guesses.begin(), guesses.end());
-      draft_.tables.push_back(std::move(one));
     }
   }
 
@@ -178,10 +189,11 @@ class Drafting {
   bool take_of_angles(const SuspectedConvention& suspected) {
     if (suspected.looks_like == "absolute angles") experiment_.absolute_angles = true;
     for (DraftedRun& run : experiment_.runs)
-      for (DraftColumn& column : run.angles) {
-        if (suspected.looks_like == "degrees") column.unit = "deg";
-        if (suspected.looks_like == "angles of the opposite sign") column.sign *= -1;
-      }
+      for (auto* angles : {&run.angles, &run.commands})
+        for (DraftColumn& column : *angles) {
+          if (suspected.looks_like == "degrees") column.unit = "deg";
+          if (suspected.looks_like == "angles of the opposite sign") column.sign *= -1;
+        }
     return suspected.looks_like != "angles in the reverse order";
   }
 
@@ -197,7 +209,7 @@ Draft draft_experiment(const std::string& name, const DraftModel& model, const s
                        const Ask& ask) {
   if (files.empty()) throw Error("tables", "none", "one or more, a run each");
   Drafting drafting(name, model, ask);
-  for (const DraftFile& file : files) drafting.add(file);
+  drafting.add(files);
   return drafting.result();
 }
 

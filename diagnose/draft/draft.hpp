@@ -9,6 +9,7 @@
 
 #include "diagnose/bench/nominal_chain.hpp"
 #include "diagnose/draft/guess.hpp"
+#include "diagnose/draft/run_source.hpp"
 
 namespace plumbline::diagnose {
 
@@ -18,12 +19,6 @@ struct DraftModel {
   std::vector<std::string> joints;   ///< their names in the model, from the base on; or empty
   std::array<double, 2> base{0, 0};  ///< where joint 1 is in the model's plane, m
   bool weighs = false;               ///< whether the model has gravity at all
-};
-
-/// A table of readings as it came.
-struct DraftFile {
-  std::string name;  ///< "press.csv"
-  std::string text;
 };
 
 struct Draft {

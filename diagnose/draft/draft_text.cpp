@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include "diagnose/draft/column_numbers.hpp"
 
@@ -31,11 +32,13 @@ std::string list(const std::vector<double>& values) {
 }
 
 /// What experiment.toml calls a column: the words above it, or its number.
-std::string reference(const DraftedRun& run, std::size_t column) {
-  const std::vector<std::string>& header = run.table.table.header;
-  const bool named = run.table.format.header && column < header.size() && !header[column].empty() &&
-                     std::count(header.begin(), header.end(), header[column]) == 1;
-  return named ? quoted(header[column]) : fmt::format("{}", column + 1);
+std::string reference(const RunSource& source, std::size_t column) {
+  const SourcePart& part = source.part_of(column);
+  const std::vector<std::string>& header = part.table.table.header;
+  const std::size_t place = column - part.first;
+  const bool named = part.table.format.header && place < header.size() && !header[place].empty() &&
+                     std::count(header.begin(), header.end(), header[place]) == 1;
+  return named ? quoted(header[place]) : fmt::format("{}", place + 1);
 }
 
 std::string csv_lines(const SampleFormat& format) {
@@ -47,6 +50,7 @@ std::string csv_lines(const SampleFormat& format) {
                                                                     : std::string(1, format.delimiter)));
   if (format.decimal != '.') add("decimal = \",\"");
   if (!format.header) add("header = false");
+  if (format.transposed) add("transposed = true");
   if (format.skip_lines > 0) add(fmt::format("skip_lines = {}", format.skip_lines));
   if (format.skip_after_header > 0) add(fmt::format("skip_after_header = {}", format.skip_after_header));
   if (!format.comment.empty()) add("comment = " + quoted(format.comment));
@@ -68,18 +72,61 @@ std::string column_table(const DraftColumn& column, const std::string& source) {
   return text + " }";
 }
 
-std::string columns_lines(const DraftedRun& run, bool absolute) {
-  std::string text;
-  for (std::size_t c = 0; c < draft_singles; ++c)
-    if (const auto& column = run.singles[c])
-      text += fmt::format("{} = {}\n", single_names[c], column_table(*column, reference(run, column->place)));
-  if (run.angles.empty()) return text;
+/// The covariates that every run has.
+std::vector<std::string> common_covariates(const std::vector<DraftedRun>& runs) {
   std::vector<std::string> names;
-  for (const DraftColumn& column : run.angles) names.push_back(reference(run, column.place));
-  text +=
-      fmt::format("q = {}", column_table(run.angles.front(), fmt::format("[{}]", fmt::join(names, ", "))));
+  for (const auto& [name, place] : runs.front().covariates)
+    if (std::all_of(runs.begin(), runs.end(),
+                    [&](const DraftedRun& run) { return run.covariates.contains(name); }))
+      names.push_back(name);
+  return names;
+}
+
+std::string covariate_lines(const DraftedRun& run, const DraftedExperiment& experiment,
+                            const auto& is_there) {
+  std::vector<std::string> all;
+  for (const std::string& name : common_covariates(experiment.runs))
+    if (const std::size_t place = run.covariates.at(name); is_there(place))
+      all.push_back(name + " = " + reference(run.source, place));
+  return all.empty() ? "" : fmt::format("covariate = {{ {} }}\n", fmt::join(all, ", "));
+}
+
+/// The time of a part that is joined with the first.
+std::optional<DraftColumn> time_of(const RunSource& source, const SourcePart& part) {
+  const std::vector<ColumnWords> words = source.words({});
+  for (std::size_t c = part.first; c < part.first + part.table.columns(); ++c)
+    if (words[c].kind == Kind::time) return DraftColumn{c, words[c].unit};
+  return {};
+}
+
+/// `q = { column = ["q1", "q2"], unit = "deg" }`
+std::string angles_line(const char* key, const RunSource& source, const std::vector<DraftColumn>& angles,
+                        bool absolute) {
+  std::vector<std::string> names;
+  for (const DraftColumn& column : angles) names.push_back(reference(source, column.place));
+  std::string text = column_table(angles.front(), fmt::format("[{}]", fmt::join(names, ", ")));
   if (absolute) text.insert(text.size() - 2, ", absolute = true");
-  return text + "\n";
+  return fmt::format("{} = {}\n", key, text);
+}
+
+/// \param part  whose columns are written, and with the first the constants; or nullptr for those of all
+std::string columns_lines(const DraftedRun& run, const DraftedExperiment& experiment,
+                          const SourcePart* part = nullptr) {
+  const RunSource& source = run.source;
+  const auto is_there = [&](std::size_t place) { return part == nullptr || &source.part_of(place) == part; };
+  const bool later = part != nullptr && part != &source.parts.front();
+  std::string text;
+  for (std::size_t c = 0; c < draft_singles; ++c) {
+    const auto column = c == draft_t && later ? time_of(source, *part) : run.singles[c];
+    if (column && (column->constant ? !later : is_there(column->place)))
+      text +=
+          fmt::format("{} = {}\n", single_names[c], column_table(*column, reference(source, column->place)));
+  }
+  text += covariate_lines(run, experiment, is_there);
+  for (const auto& [key, angles] : {std::pair("q", &run.angles), std::pair("q_command", &run.commands)})
+    if (!angles->empty() && is_there(angles->front().place))
+      text += angles_line(key, source, *angles, experiment.absolute_angles);
+  return text;
 }
 
 std::string inline_table(const std::string& lines) {
@@ -97,7 +144,7 @@ std::string noise_lines(const std::vector<DraftedRun>& runs, bool same_columns) 
     if (column.constant) return;
     const double unit =
         column.unit.empty() || same_columns ? 1 : parse_unit(column.unit, quantity, "").in_si();
-    if (const double one = scatter_of(run.table.numbers(column.place)); one > 0)
+    if (const double one = scatter_of(run.source.numbers(column.place)); one > 0)
       scatter[name].push_back(one * unit);
   };
   for (const DraftedRun& run : runs) {
@@ -138,16 +185,61 @@ std::string bench_lines(const DraftModel& model) {
   return text;
 }
 
+const SampleFormat& format_of(const DraftedRun& run) {
+  return run.source.parts.front().table.format;
+}
+
+/// Whether the parts of a run have a format and columns each.
+bool is_joined(const DraftedRun& run) {
+  return run.source.parts.size() > 1 && !run.source.follow;
+}
+
+/// The key `samples`: a file, files that follow one another, or files that are joined, with all that is said
+/// about each.
+std::string samples_lines(const DraftedRun& run, const DraftedExperiment& experiment) {
+  const std::vector<SourcePart>& parts = run.source.parts;
+  if (parts.size() == 1) return "samples = " + quoted(parts.front().file) + "\n";
+  std::vector<std::string> all;
+  for (const SourcePart& part : parts) {
+    if (!is_joined(run)) {
+      all.push_back(quoted(part.file));
+      continue;
+    }
+    const std::string csv = csv_lines(part.table.format);
+    all.push_back(fmt::format("\n  {{ file = {},{} columns = {} }}", quoted(part.file),
+                              csv.empty() ? "" : " csv = " + inline_table(csv) + ",",
+                              inline_table(columns_lines(run, experiment, &part))));
+  }
+  return fmt::format("samples = [{}{}]\n", fmt::join(all, ", "), is_joined(run) ? ",\n" : "");
+}
+
+/// A run, with its format and columns unless all share them.
+std::string run_lines(const DraftedRun& run, const DraftedExperiment& experiment, bool same_csv,
+                      bool same_columns) {
+  std::string text = fmt::format("\n[[run]]\nid = {}\ncontrol = \"{}\"\n", quoted(run.source.id),
+                                 !run.commands.empty() ? "command"
+                                 : run.imposes_force   ? "force"
+                                                       : "displacement");
+  if (!run.rest.empty()) text += fmt::format("rest = [{:.6g}]\n", fmt::join(run.rest, ", "));
+  text += samples_lines(run, experiment);
+  if (is_joined(run)) return text;
+  const std::string csv = csv_lines(format_of(run));
+  if (!same_csv && !csv.empty()) text += "csv = " + inline_table(csv) + "\n";
+  if (!same_columns) text += "columns = " + inline_table(columns_lines(run, experiment)) + "\n";
+  return text;
+}
+
 }  // namespace
 
 std::string settings_text(const DraftedExperiment& experiment, const DraftModel& model) {
   const std::vector<DraftedRun>& runs = experiment.runs;
-  const std::string csv = csv_lines(runs.front().table.format),
-                    columns = columns_lines(runs.front(), experiment.absolute_angles);
-  const bool same_csv = std::all_of(
-      runs.begin(), runs.end(), [&](const DraftedRun& run) { return csv_lines(run.table.format) == csv; });
+  const std::string csv = csv_lines(format_of(runs.front())),
+                    columns = columns_lines(runs.front(), experiment);
+  const bool same_csv = std::all_of(runs.begin(), runs.end(), [&](const DraftedRun& run) {
+    return !is_joined(run) && csv_lines(format_of(run)) == csv;
+  });
   const bool same_columns = std::all_of(runs.begin(), runs.end(), [&](const DraftedRun& run) {
-    return columns_lines(run, experiment.absolute_angles) == columns;
+    return !is_joined(run) && columns_lines(run, experiment) == columns;
   });
   std::string text =
       "#:schema experiment.schema.json\n# Drafted by `plumbline new`: what it guessed, it said; correct here "
@@ -157,16 +249,7 @@ std::string settings_text(const DraftedExperiment& experiment, const DraftModel&
   text += "\n[noise]  # how much neighbouring readings scatter\n" + noise_lines(runs, same_columns);
   if (same_csv && !csv.empty()) text += "\n[csv]\n" + csv;
   if (same_columns) text += "\n[columns]\n" + columns;
-  for (const DraftedRun& run : runs) {
-    text += fmt::format("\n[[run]]\nid = {}\ncontrol = \"{}\"\n", quoted(run.id),
-                        run.imposes_force ? "force" : "displacement");
-    if (!run.rest.empty()) text += fmt::format("rest = [{:.6g}]\n", fmt::join(run.rest, ", "));
-    text += "samples = " + quoted(run.file) + "\n";
-    if (!same_csv && !csv_lines(run.table.format).empty())
-      text += "csv = " + inline_table(csv_lines(run.table.format)) + "\n";
-    if (!same_columns)
-      text += "columns = " + inline_table(columns_lines(run, experiment.absolute_angles)) + "\n";
-  }
+  for (const DraftedRun& run : runs) text += run_lines(run, experiment, same_csv, same_columns);
   return text;
 }
 

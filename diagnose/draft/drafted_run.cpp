@@ -7,7 +7,6 @@
 #include <cmath>
 #include <numeric>
 #include <plumbline/base/error.hpp>
-#include <sstream>
 
 #include "diagnose/draft/column_numbers.hpp"
 #include "diagnose/draft/rest_shape.hpp"
@@ -18,24 +17,11 @@ namespace {
 
 using Values = std::vector<double>;
 
-std::optional<Values> numbers_of(const std::string& text) {
-  std::string plain = text;
-  std::replace_if(
-      plain.begin(), plain.end(), [](char c) { return c == ',' || c == ';' || c == '[' || c == ']'; }, ' ');
-  std::istringstream in(plain);
-  Values all;
-  for (double value = 0; in >> value;) all.push_back(value);
-  return in.eof() ? std::optional(all) : std::nullopt;
-}
-
 class Drafter {
  public:
-  Drafter(const DraftFile& file, const DraftModel& model, const Ask& ask)
+  Drafter(const RunSource& source, const DraftModel& model, const Ask& ask)
       : model_(model), ask_(ask), joints_(model.chain.link_length.size()) {
-    run_.file = file.name;
-    run_.id = file.name.substr(0, file.name.find_last_of('.'));
-    run_.table = written_table(file.text, file.name);
-    run_.guesses = run_.table.guesses;
+    run_.source = source;
     reach_ = std::accumulate(model.chain.link_length.begin(), model.chain.link_length.end(), 0.0);
   }
 
@@ -43,12 +29,17 @@ class Drafter {
     read_words();
     find_singles();
     find_angles();
+    find_covariates();
     require_something();
     find_length_unit();
     find_angle_unit();
-    find_control();
-    take_commands();
-    find_rest();
+    if (imposes_commands()) {
+      impose_commands();
+    } else {
+      find_control();
+      take_commands();
+      find_rest();
+    }
     return std::move(run_);
   }
 
@@ -56,7 +47,7 @@ class Drafter {
   /// \return what is to be taken instead
   std::optional<std::string> say(const std::string& what, const std::string& value, const std::string& reason,
                                  bool doubtful = false) {
-    Guess guess{what + " of " + run_.file, value, reason, doubtful};
+    Guess guess{what + " of " + run_.source.name(), value, reason, doubtful};
     std::optional<std::string> answer;
     if (doubtful && ask_) answer = ask_(guess);
     if (answer) guess = {guess.what, *answer, "as you said", false};
@@ -65,27 +56,18 @@ class Drafter {
   }
 
   [[nodiscard]] std::string title(std::size_t column) const {
-    const std::vector<std::string>& names = run_.table.names;
-    return column < names.size() && !names[column].empty() ? names[column]
-                                                           : fmt::format("column {}", column + 1);
+    const std::string name = run_.source.title(column);
+    return name.empty() ? fmt::format("column {}", column + 1) : name;
   }
 
   void read_words() {
-    const WrittenTable& table = run_.table;
-    const std::size_t columns = table.table.rows.front().fields.size();
-    for (std::size_t c = 0; c < columns; ++c)
-      words_.push_back(words_of(c < table.names.size() ? table.names[c] : "",
-                                c < table.units.size() ? table.units[c] : "", model_.joints));
-    if (!table.names.empty()) return;
-    // No words at all: as the format has its columns.
-    const std::array order{Kind::time, Kind::x, Kind::y, Kind::force_x, Kind::force_y};
-    const bool standard = columns == order.size() || columns == order.size() + joints_;
-    if (!standard) return;
-    for (std::size_t c = 0; c < columns; ++c) {
-      words_[c].kind = c < order.size() ? order[c] : Kind::angle;
-      if (c >= order.size()) words_[c].joint = c - order.size() + 1;
-    }
-    say("columns", "t, x, y, Fx, Fy" + std::string(columns > order.size() ? " and the joint angles" : ""),
+    words_ = run_.source.words(model_.joints);
+    if (!run_.source.parts.front().table.names.empty()) return;
+    const std::size_t columns = words_.size();
+    const std::vector<ColumnWords> standard = words_of_standard(columns, joints_);
+    if (standard.empty()) return;
+    words_ = standard;
+    say("columns", "t, x, y, Fx, Fy" + std::string(columns > draft_singles ? " and the joint angles" : ""),
         fmt::format("there are {} and no words above them", columns), true);
   }
 
@@ -106,9 +88,8 @@ class Drafter {
     const auto answer =
         say(single_names[single], name + (said.empty() ? "" : ", in " + said), reason, doubtful);
     if (answer) {
-      const auto named = std::find(run_.table.names.begin(), run_.table.names.end(), *answer);
-      if (named != run_.table.names.end())
-        column = static_cast<std::size_t>(named - run_.table.names.begin());
+      for (std::size_t c = 0; c < words_.size(); ++c)
+        if (run_.source.title(c) == *answer) column = c;
     }
     run_.singles[single] = DraftColumn{*column, words_[*column].unit};
     kinds_[single] = kind;
@@ -149,12 +130,22 @@ class Drafter {
     if (!names.empty()) say("q", fmt::format("{}", fmt::join(names, ", ")), "one for each joint");
   }
 
+  /// Temperature and humidity, for expressions of one's own.
+  void find_covariates() {
+    for (std::size_t c = 0; c < words_.size(); ++c) {
+      if (words_[c].kind != Kind::temperature && words_[c].kind != Kind::humidity) continue;
+      const std::string name = words_[c].kind == Kind::temperature ? "temperature" : "humidity";
+      if (finite(run_.source.numbers(c)).empty() || !run_.covariates.emplace(name, c).second) continue;
+      say("covariate " + name, title(c), "its name");
+    }
+  }
+
   void require_something() const {
     const auto& s = run_.singles;
     if (s[draft_x] || s[draft_y] || s[draft_Fx] || s[draft_Fy] || !run_.angles.empty()) return;
     std::vector<std::string> titles;
     for (std::size_t c = 0; c < words_.size(); ++c) titles.push_back(title(c));
-    throw Error(run_.file,
+    throw Error(run_.source.name(),
                 fmt::format("the columns {}", files::shown(fmt::format("{}", fmt::join(titles, ", ")))),
                 "a name that says x, y, Fx, Fy or q1 of some of them");
   }
@@ -167,16 +158,7 @@ class Drafter {
       if (*one && (*one)->unit.empty())
         if (auto* other = one == &x ? &y : &x; *other) (*one)->unit = (*other)->unit;
     if (!x && !y) return;
-    const auto most = [&](const std::array<double, 2>& base, double unit) {
-      const Values xs = x ? raw(*x) : Values(), ys = y ? raw(*y) : Values();
-      double far = 0;
-      for (std::size_t i = 0; i < std::max(xs.size(), ys.size()); ++i) {
-        const double a = i < xs.size() && std::isfinite(xs[i]) ? xs[i] * unit - base[0] : 0;
-        const double b = i < ys.size() && std::isfinite(ys[i]) ? ys[i] * unit - base[1] : 0;
-        far = std::max(far, std::hypot(a, b));
-      }
-      return far;
-    };
+    const Values xs = x ? raw(*x) : Values(), ys = y ? raw(*y) : Values();
     constexpr double slack = 1.02, least = 0.03;
     const std::array<double, 2> own{0, 0};
     const bool elsewhere = std::hypot(model_.base[0], model_.base[1]) > 0;
@@ -187,7 +169,7 @@ class Drafter {
       if (!from_base && !elsewhere) break;
       for (const std::string& unit : units) {
         const double factor = parse_unit(unit, quantity::length, "").in_si();
-        const double far = most(from_base ? own : model_.base, factor);
+        const double far = farthest(xs, ys, from_base ? own : model_.base, factor);
         if (far > slack * reach_ || far < least * reach_) continue;
         set_place(x, unit, from_base ? 0 : model_.base[0] / factor);
         set_place(y, unit, from_base ? 0 : model_.base[1] / factor);
@@ -221,7 +203,23 @@ class Drafter {
     say("unit of q", "deg", fmt::format("angles up to {:.4g} are more than once around in rad", most));
   }
 
-  [[nodiscard]] Values raw(const DraftColumn& column) const { return run_.table.numbers(column.place); }
+  [[nodiscard]] Values raw(const DraftColumn& column) const { return run_.source.numbers(column.place); }
+
+  /// Commands to every joint along a time are a motion; without a time they are a pose each.
+  [[nodiscard]] bool imposes_commands() const {
+    return run_.singles[draft_t] && !run_.angles.empty() && !angle_columns(true).empty();
+  }
+
+  void impose_commands() {
+    std::vector<std::string> names;
+    for (const std::size_t c : angle_columns(true)) {
+      run_.commands.push_back({c, words_[c].unit.empty() ? run_.angles.front().unit : words_[c].unit});
+      names.push_back(title(c));
+    }
+    run_.imposes_force = true;
+    say("control", "command",
+        fmt::format("{}: a command to every joint, along the time", fmt::join(names, ", ")));
+  }
 
   /// What is imposed goes in even steps; what is measured scatters.
   void find_control() {
@@ -356,12 +354,13 @@ class Drafter {
     if (answer) return take_rest(*answer);
     run_.question = fmt::format(
         "rest of {}: found {}, expected rest = [...], the {} unloaded joint angles, in its [[run]]",
-        run_.file, reason, joints_);
+        run_.source.name(), reason, joints_);
   }
   void take_rest(const std::string& answer) {
-    const auto values = numbers_of(answer);
+    const auto values = numbers_in(answer);
     if (!values || values->size() != joints_)
-      throw Error("rest of " + run_.file, files::shown(answer), fmt::format("{} angles in rad", joints_));
+      throw Error("rest of " + run_.source.name(), files::shown(answer),
+                  fmt::format("{} angles in rad", joints_));
     run_.rest = *values;
   }
 
@@ -377,9 +376,9 @@ class Drafter {
 }  // namespace
 
 std::vector<double> DraftedRun::values(const DraftColumn& column, const Quantity& quantity) const {
-  if (column.constant) return Values(table.table.rows.size(), *column.constant);
+  if (column.constant) return Values(source.readings(), *column.constant);
   const double unit = column.unit.empty() ? 1 : parse_unit(column.unit, quantity, "").in_si();
-  Values all = table.numbers(column.place);
+  Values all = source.numbers(column.place);
   for (double& value : all) value = column.sign * (value - column.zero) * unit;
   return all;
 }
@@ -391,8 +390,8 @@ std::vector<double> DraftedRun::values(std::size_t single) const {
                                                                            : quantity::force);
 }
 
-DraftedRun drafted_run(const DraftFile& file, const DraftModel& model, const Ask& ask) {
-  return Drafter(file, model, ask).result();
+DraftedRun drafted_run(const RunSource& source, const DraftModel& model, const Ask& ask) {
+  return Drafter(source, model, ask).result();
 }
 
 }  // namespace plumbline::diagnose

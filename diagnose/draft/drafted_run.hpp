@@ -3,19 +3,20 @@
 /// One drafted run: the channels of its columns, their units, the imposed quantity and the rest.
 
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "diagnose/draft/column_words.hpp"
 #include "diagnose/draft/draft.hpp"
-#include "diagnose/draft/written_table.hpp"
+#include "diagnose/draft/run_source.hpp"
 
 namespace plumbline::diagnose {
 
 /// A column of a channel, as experiment.toml is to say it.
 struct DraftColumn {
-  std::size_t place = 0;  ///< in the table, from 0
+  std::size_t place = 0;  ///< among those of the source, from 0
   std::string unit;
   int sign = 1;
   double zero = 0;                      ///< in the unit
@@ -27,10 +28,11 @@ enum : std::size_t { draft_t, draft_x, draft_y, draft_Fx, draft_Fy, draft_single
 inline constexpr std::array<const char*, draft_singles> single_names{"t", "x", "y", "Fx", "Fy"};
 
 struct DraftedRun {
-  std::string id, file;
-  WrittenTable table;
+  RunSource source;
   std::array<std::optional<DraftColumn>, draft_singles> singles;
-  std::vector<DraftColumn> angles;  ///< of all joints, or none
+  std::vector<DraftColumn> angles;                ///< of all joints, or none
+  std::map<std::string, std::size_t> covariates;  ///< columns by the names of their variables
+  std::vector<DraftColumn> commands;              ///< of all joints, where the run imposes them; or none
   bool imposes_force = false;
   std::vector<double> rest;  ///< rad; empty where the model's serves
   Guesses guesses;
@@ -43,6 +45,6 @@ struct DraftedRun {
 
 /// Identifies columns by their titles; units, zeros, the imposed quantity and the rest by their numbers.
 /// \throws Error where no column of a place, a force or an angle can be told
-DraftedRun drafted_run(const DraftFile& file, const DraftModel& model, const Ask& ask);
+DraftedRun drafted_run(const RunSource& source, const DraftModel& model, const Ask& ask);
 
 }  // namespace plumbline::diagnose

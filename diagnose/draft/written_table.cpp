@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <plumbline/base/error.hpp>
@@ -134,6 +135,9 @@ class Guesser {
       : text_(text), source_(source), lines_(lines_of(text)) {}
 
   WrittenTable result() {
+    if (text_.starts_with("PK\x03\x04"))  // a zip archive, as workbooks are
+      throw Error(source_, "a workbook",
+                  "text in columns; in the Python package `plumbline new` reads workbooks");
     cut_ = best_cut(lines_);
     if (cut_.columns < 2)
       throw Error(source_, "no rows of numbers", "a table with a column for each quantity, a row a reading");
@@ -143,7 +147,11 @@ class Guesser {
     say("delimiter", word_of(cut_.delimiter),
         fmt::format("it cuts the rows into {} fields alike", cut_.columns));
     if (cut_.decimal == ',') say("decimal", ",", "numbers are written as 0,5");
-    find_header();
+    if (is_transposed()) {
+      take_lines_as_columns();
+    } else {
+      find_header();
+    }
     find_comment();
     find_missing();
     result_.table = parse_sample_table(text_, source_, format);
@@ -157,6 +165,43 @@ class Guesser {
   [[nodiscard]] std::vector<std::string> fields(std::size_t line) const {
     return fields_of(lines_[line].text, cut_.delimiter);
   }
+  /// Whether a line above the rows has a word for each column, or for all but the last.
+  [[nodiscard]] bool is_header(const Line& line) const {
+    const std::size_t count = fields_of(line.text, cut_.delimiter).size();
+    return !line.comment && count + 1 >= cut_.columns && count <= cut_.columns;
+  }
+
+  /// Fields of the lines that are no comments, from the first row on.
+  [[nodiscard]] std::vector<std::vector<std::string>> rows() const {
+    std::vector<std::vector<std::string>> all;
+    for (std::size_t l = cut_.first_row; l < lines_.size(); ++l)
+      if (!lines_[l].comment) all.push_back(fields(l));
+    return all;
+  }
+
+  /// Whether every line is a name of its own and numbers, with no other names above.
+  [[nodiscard]] bool is_transposed() const {
+    std::set<std::string> names;
+    const auto all = rows();
+    for (const std::vector<std::string>& row : all) {
+      if (row.size() < 2 || row.size() > cut_.columns || row[0].empty()) return false;
+      const auto letter = static_cast<unsigned char>(row[0].front());
+      if ((letter < 0x80 && std::isalpha(letter) == 0) || !names.insert(row[0]).second) return false;
+    }
+    const bool header =
+        std::any_of(lines_.begin(), lines_.begin() + static_cast<std::ptrdiff_t>(cut_.first_row),
+                    [&](const Line& line) { return is_header(line); });
+    return all.size() > 1 && cut_.columns > 2 && !header;
+  }
+
+  void take_lines_as_columns() {
+    SampleFormat& format = result_.format;
+    format.transposed = true;
+    format.skip_lines = plain_lines_above(lines_[cut_.first_row].number);
+    for (const std::vector<std::string>& row : rows()) result_.names.push_back(row[0]);
+    say("transposed", "each line is a column",
+        "every line begins with a name of its own, and numbers follow");
+  }
 
   /// Above the rows: the header, the line of units below it, and what is to be passed over.
   void find_header() {
@@ -164,8 +209,7 @@ class Guesser {
     format.header = false;
     std::vector<std::size_t> above;
     for (std::size_t l = 0; l < cut_.first_row; ++l)
-      if (!lines_[l].comment && fields(l).size() + 1 >= cut_.columns && fields(l).size() <= cut_.columns)
-        above.push_back(l);
+      if (is_header(lines_[l])) above.push_back(l);
     const std::size_t first = lines_[cut_.first_row].number;
     if (above.empty()) {
       name_by_comment();

@@ -17,6 +17,7 @@ struct WrittenTable {
   std::vector<std::string> units;  ///< what stands for each in a line of units; or empty
   Guesses guesses;
 
+  [[nodiscard]] std::size_t columns() const { return table.rows.front().fields.size(); }
   /// The numbers of a column, NaN where there is none.
   [[nodiscard]] std::vector<double> numbers(std::size_t column) const;
 };

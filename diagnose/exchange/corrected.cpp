@@ -12,6 +12,7 @@
 #include "diagnose/exchange/sdf.hpp"
 #include "diagnose/exchange/toml.hpp"
 #include "diagnose/exchange/urdf.hpp"
+#include "diagnose/exchange/written_arm.hpp"
 
 namespace plumbline::exchange {
 namespace {
@@ -153,6 +154,9 @@ Writer writer(Format format) {
 }  // namespace
 
 Written written(const Model& model, Format format) {
+  if (model.experiment.alone != diagnose::Alone::no && format != Format::toml)
+    throw Error("corrected model", "a joint alone, and a format of bodies", "a file that ends in .toml");
+  if (model.experiment.arm) return written_arm(model, format);
   const bool from_such = !model.source.empty() && format_of(model.source) == format;
   const Writer edit = from_such ? editor(format) : nullptr;
   if (edit == nullptr) return writer(format)(model);

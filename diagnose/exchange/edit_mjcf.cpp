@@ -125,7 +125,8 @@ class MjcfEditor {
       const Vector3d by = j > 0 ? Vector3d(chain_.moves(j) - chain_.moves(j - 1)) : chain_.base_moves();
       move(own_body(j).element, own_body(j).at.translation(), own_body(j).held, by);
     }
-    move(end_site().element, end_site().at, end_site().held, chain_.moves(n_) - chain_.moves(n_ - 1));
+    move(end_site().element, end_site().at.translation(), end_site().held,
+         chain_.moves(n_) - chain_.moves(n_ - 1));
   }
 
   /// A joint of ours in a body of the file.

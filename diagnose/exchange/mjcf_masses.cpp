@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "diagnose/exchange/physical_body.hpp"
+
 namespace plumbline::exchange {
 namespace {
 
@@ -84,12 +86,19 @@ class Weighing {
   MjcfMass total_;
 };
 
+MjcfMass said_in(xml_node inertial, const MjcfScene& scene) {
+  const MjcfDefaults& defaults = scene.defaults;
+  const MjcfMass own{defaults.number(inertial, "mass", 0),
+                     defaults.vector(inertial, "pos", Vector3d::Zero())};
+  require_mass(own.mass, place_of(scene.document.file(), inertial.parent()));
+  return own;
+}
+
 }  // namespace
 
 MjcfMass mass_of(xml_node body, const MjcfScene& scene) {
   const std::string from_geoms = scene.document.setting("inertiafromgeom", "auto");
-  if (const xml_node own = body.child("inertial"); own && from_geoms != "true")
-    return {scene.defaults.number(own, "mass", 0), scene.defaults.vector(own, "pos", Vector3d::Zero())};
+  if (const xml_node own = body.child("inertial"); own && from_geoms != "true") return said_in(own, scene);
   Weighing weighing(scene);
   if (from_geoms != "false") weighing.add_geoms(body, Eigen::Isometry3d::Identity());
   return weighing.result();

@@ -68,8 +68,7 @@ void MjcfScene::add_contents(xml_node holder, std::size_t body, const Isometry3d
     if (kind == "frame") add_contents(child, body, frame * pose(child));
     if (kind == "joint" || kind == "freejoint") add_joint(child, body, frame);
     if (kind == "site")
-      sites.push_back({child, name_of(child, "site ", sites.size()), body, frame,
-                       frame * defaults.vector(child, "pos", Vector3d::Zero())});
+      sites.push_back({child, name_of(child, "site ", sites.size()), body, frame, frame * pose(child)});
   }
 }
 
@@ -91,7 +90,7 @@ void MjcfScene::add_body(xml_node element, std::size_t parent, const Isometry3d&
 }
 
 void MjcfScene::add_joint(xml_node element, std::size_t body, const Isometry3d& frame) {
-  MjcfJoint joint{element, name_of(element, "joint ", joints.size()), "free", body, {}, {}};
+  MjcfJoint joint{element, name_of(element, "joint ", joints.size()), "free", body, {}, {}, 0, 0, 0};
   joint.axis = Vector3d::UnitZ();
   joint.anchor = frame.translation();
   if (std::string(element.name()) == "joint") {
@@ -109,9 +108,20 @@ void MjcfScene::add_joint(xml_node element, std::size_t body, const Isometry3d& 
     joint.ref = coordinate("ref");
     joint.springref = coordinate("springref");
     joint.stiffness = spring_of(joint);
+    read_range(joint);
   }
   bodies[body].joints.push_back(joints.size());
   joints.push_back(std::move(joint));
+}
+
+/// Where nothing says whether a range holds, MuJoCo 3 takes it that it does.
+void MjcfScene::read_range(MjcfJoint& joint) const {
+  const auto limited = defaults.attribute(joint.element, "limited");
+  if (limited && std::string(limited.value()) == "false") return;
+  if (joint.type != "hinge" && joint.type != "slide") return;
+  const std::vector<double> range = defaults.numbers(joint.element, "range", 2, 2, {});
+  for (std::size_t i = 0; i < range.size(); ++i)
+    joint.range[i] = joint.type == "hinge" ? document.radians(range[i]) : range[i];
 }
 
 double MjcfScene::spring_of(const MjcfJoint& joint) {
@@ -155,17 +165,18 @@ Quaterniond MjcfScene::orientation(xml_node element) const {
   const auto words = [&](const char* name, std::size_t count) {
     return defaults.numbers(element, name, count, count, {});
   };
-  if (element.attribute("quat")) {
+  const auto said = [&](const char* name) { return static_cast<bool>(defaults.attribute(element, name)); };
+  if (said("quat")) {
     const std::vector<double> q = words("quat", 4);
     const Quaterniond turn(q[0], q[1], q[2], q[3]);
     if (!(turn.norm() > 1e-14)) throw Error(place(element), "a quaternion of no length", "one of length 1");
     return turn.normalized();
   }
-  if (element.attribute("axisangle")) {
+  if (said("axisangle")) {
     const std::vector<double> a = words("axisangle", 4);
     return Quaterniond(Eigen::AngleAxisd(document.radians(a[3]), Vector3d(a[0], a[1], a[2]).normalized()));
   }
-  if (element.attribute("xyaxes")) {
+  if (said("xyaxes")) {
     const std::vector<double> a = words("xyaxes", 6);
     const Vector3d x = Vector3d(a[0], a[1], a[2]).normalized(), given(a[3], a[4], a[5]);
     const Vector3d y = (given - given.dot(x) * x).normalized();
@@ -175,11 +186,11 @@ Quaterniond MjcfScene::orientation(xml_node element) const {
       throw Error(place(element), "xyaxes in one direction", "two directions");
     return Quaterniond(turn);
   }
-  if (element.attribute("zaxis"))
-    return Quaterniond::FromTwoVectors(
-        Vector3d::UnitZ(), vector_in(element.attribute("zaxis").value(), place(element) + ": zaxis"));
+  if (said("zaxis"))
+    return Quaterniond::FromTwoVectors(Vector3d::UnitZ(),
+                                       defaults.vector(element, "zaxis", Vector3d::UnitZ()));
   Quaterniond turn = Quaterniond::Identity();
-  if (!element.attribute("euler")) return turn;
+  if (!said("euler")) return turn;
   const std::vector<double> angles = words("euler", 3);
   const std::string sequence = document.setting("eulerseq", "xyz");
   if (sequence.size() != 3) throw Error(document.file(), "eulerseq " + files::shown(sequence), "three axes");
@@ -194,8 +205,7 @@ Quaterniond MjcfScene::orientation(xml_node element) const {
 
 Isometry3d MjcfScene::pose(xml_node element) const {
   Isometry3d at = Isometry3d::Identity();
-  if (const auto pos = element.attribute("pos"))
-    at.translate(vector_in(pos.value(), place(element) + ": pos"));
+  at.translate(defaults.vector(element, "pos", Vector3d::Zero()));
   at.rotate(orientation(element));
   return at;
 }

@@ -4,6 +4,8 @@
 /// defaults, frames and includes resolved; meshes, looks, contacts and sensors are not read.
 
 #include <Eigen/Geometry>
+#include <array>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -30,6 +32,8 @@ struct MjcfJoint {
   std::size_t body = 0;
   Eigen::Vector3d axis, anchor;  ///< in the world
   double ref = 0, springref = 0, stiffness = 0;
+  std::array<double, 2> range{-std::numeric_limits<double>::infinity(),
+                              std::numeric_limits<double>::infinity()};
 };
 
 struct MjcfSite {
@@ -37,7 +41,7 @@ struct MjcfSite {
   std::string name;
   std::size_t body = 0;
   Eigen::Isometry3d held;  ///< what its pos counts in
-  Eigen::Vector3d at;      ///< in the world
+  Eigen::Isometry3d at;    ///< in the world
 };
 
 class MjcfScene {
@@ -68,6 +72,7 @@ class MjcfScene {
   void weigh(pugi::xml_node element, std::size_t body);
   void scale_masses();
   [[nodiscard]] double spring_of(const MjcfJoint& joint);
+  void read_range(MjcfJoint& joint) const;
   [[nodiscard]] Eigen::Quaterniond orientation(pugi::xml_node element) const;
   [[nodiscard]] std::string place(pugi::xml_node element) const { return place_of(document.file(), element); }
 };

@@ -108,8 +108,8 @@ class Actuators {
       throw Error(place_of(scene_.document.file(), actuator), "the joint " + files::shown(target.value()),
                   "a joint that the file has");
     std::optional<MjcfServo> servo;
-    if (target && joint->type == "hinge" && !scene_.document.disabled("actuation"))
-      servo = law_of(scene_, actuator);
+    const bool simple = target && (joint->type == "hinge" || joint->type == "slide");
+    if (simple && !scene_.document.disabled("actuation")) servo = law_of(scene_, actuator);
     if (!servo) {
       all_.left_out.push_back(fmt::format("{} {}", actuator.name(), name));
       return;

@@ -40,7 +40,7 @@ void require_planar(const std::vector<ReadJoint>& joints, const Plane& plane, co
   for (const ReadJoint& joint : joints) {
     if (joint.stiffness < 0)
       throw Error(source, "joint " + joint.name + " with a negative stiffness", "zero or a positive one");
-    if (!joint.hinge)
+    if (joint.motion != JointMotion::hinge)
       throw Error(source, "joint " + joint.name + ", which is no hinge", "hinges alone" + how_to_keep(model));
     const double turned = std::acos(std::min(1.0, std::abs(joint.axis.normalized().dot(plane.normal()))));
     if (turned > std::sqrt(rounding))
@@ -108,6 +108,19 @@ void require_finite(const diagnose::NominalChain& chain, const std::string& sour
   if (!std::isfinite(sum)) throw Error(source, "numbers too large to compute with", "SI units, radians");
 }
 
+/// What the model has and a chain in the plane has not.
+std::vector<std::string> left_out_of(const ReadModel& model) {
+  constexpr double once_around = 6.2;
+  std::vector<std::string> out = model.left_out;
+  for (const ReadJoint& joint : model.joints) {
+    if (joint.friction > 0) out.push_back("friction of " + joint.name);
+    if (joint.motion == JointMotion::hinge && joint.range[1] - joint.range[0] < once_around)
+      out.push_back("range of " + joint.name);
+    if (!joint.follows.empty()) out.push_back("coupling of " + joint.name + " to " + joint.follows);
+  }
+  return out;
+}
+
 void add_notes(const ReadModel& model, const std::vector<ReadJoint>& joints, double moved,
                PlanarChain& result) {
   const Eigen::Vector2d base = result.plane.of(result.plane.origin);
@@ -122,8 +135,8 @@ void add_notes(const ReadModel& model, const std::vector<ReadJoint>& joints, dou
   const auto passive = std::count(chain.joint_stiffness.begin(), chain.joint_stiffness.end(), 0.0);
   if (passive > 0)
     result.notes.push_back(fmt::format("not elastic: {} of {} joints", passive, joints.size()));
-  if (!model.left_out.empty())
-    result.notes.push_back(fmt::format("left out: {}", fmt::join(model.left_out, ", ")));
+  if (const std::vector<std::string> out = left_out_of(model); !out.empty())
+    result.notes.push_back(fmt::format("left out: {}", fmt::join(out, ", ")));
 }
 
 }  // namespace

@@ -2,6 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "diagnose/exchange/physical_body.hpp"
+#include "support/files/printable.hpp"
+
 namespace plumbline::exchange {
 namespace {
 
@@ -28,8 +33,11 @@ class MjcfReader {
     for (std::size_t b = 1; b < scene_.bodies.size(); ++b) add_mass(b);
     for (std::size_t s = 0; s < scene_.sites.size(); ++s) {
       const MjcfSite& site = scene_.sites[s];
-      result_.ends.push_back({"site", site.name, joint_name(scene_.last_joint(site.body)), site.at, s});
+      result_.ends.push_back(
+          {"site", site.name, joint_name(scene_.last_joint(site.body)), site.at.translation(), s});
     }
+    add_frames();
+    add_constraints();
     result_.gravity = gravity();
     leave_out();
     return std::move(result_);
@@ -46,13 +54,89 @@ class MjcfReader {
     ReadJoint joint;
     joint.name = own.name;
     joint.carrier = joint_name(j > body.joints.front() ? j - 1 : scene_.last_joint(body.parent));
-    joint.hinge = own.type == "hinge";
-    joint.free = own.type == "free";
+    joint.type = own.type;
+    joint.motion = motion_of(own.type);
     joint.axis = own.axis;
     joint.anchor = own.anchor;
+    joint.turn = body.at.linear();
+    joint.reference = own.ref;
+    joint.range = own.range;
+    joint.friction = scene_.defaults.number(own.element, "frictionloss", 0);
     joint.stiffness = own.stiffness;
     joint.rest = own.springref - own.ref;
     result_.joints.push_back(std::move(joint));
+  }
+
+  static JointMotion motion_of(const std::string& type) {
+    if (type == "hinge") return JointMotion::hinge;
+    if (type == "slide") return JointMotion::slide;
+    return type == "free" ? JointMotion::free : JointMotion::other;
+  }
+
+  void add_frames() {
+    for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
+      const MjcfBody& body = scene_.bodies[b];
+      result_.frames.push_back({"body", body.name, joint_name(scene_.last_joint(b)),
+                                b > 0 ? scene_.bodies[body.parent].name : "", body.at});
+    }
+    for (const MjcfSite& site : scene_.sites)
+      result_.frames.push_back({"site", site.name, joint_name(scene_.last_joint(site.body)),
+                                scene_.bodies[site.body].name, site.at});
+  }
+
+  /// What <inertial> says of the moments of a body.
+  void check_inertia(std::size_t body) {
+    const xml_node own = scene_.bodies[body].element.child("inertial");
+    const MjcfDefaults& defaults = scene_.defaults;
+    const std::vector<double> d = defaults.numbers(own, "diaginertia", 3, 3, {0, 0, 0}),
+                              full = defaults.numbers(own, "fullinertia", 6, 6, {});
+    Eigen::Matrix3d tensor = Eigen::Vector3d(d[0], d[1], d[2]).asDiagonal();
+    if (!full.empty())
+      tensor << full[0], full[3], full[4], full[3], full[1], full[5], full[4], full[5], full[2];
+    if (const std::string words = impossible_inertia(tensor); !words.empty())
+      result_.inertias.push_back({scene_.bodies[body].name, words, joint_name(scene_.last_joint(body))});
+  }
+
+  /// What equality constraints couple: joints that follow others, and bodies that are tied.
+  void add_constraints() {
+    for (const xml_node section : scene_.document.root().children("equality"))
+      for (const xml_node one : section.children()) {
+        const auto active = scene_.defaults.attribute(one, "active");
+        if (one.type() != pugi::node_element || (active && std::string(active.value()) == "false")) continue;
+        if (std::string(one.name()) == "joint")
+          couple(one);
+        else
+          tie(one);
+      }
+  }
+
+  void couple(xml_node constraint) {
+    const auto second = constraint.attribute("joint2");
+    for (std::size_t j = 0; j < scene_.joints.size(); ++j)
+      if (std::string(scene_.joints[j].element.attribute("name").value()) ==
+          constraint.attribute("joint1").value())
+        result_.joints[j].follows = second ? files::shown(second.value()) : "a constant";
+  }
+
+  /// Whether a body is one by which programs drag others.
+  [[nodiscard]] bool is_handle(const std::string& body) const {
+    return std::any_of(scene_.bodies.begin(), scene_.bodies.end(), [&](const MjcfBody& one) {
+      return one.name == body && one.element.attribute("mocap").as_bool();
+    });
+  }
+
+  void tie(xml_node constraint) {
+    const std::string name = constraint.attribute("name").value();
+    ReadLoop loop{constraint.name() + (name.empty() ? "" : " " + files::shown(name)), {}};
+    for (std::size_t i = 0; i < 2; ++i) {
+      const std::string number = std::to_string(i + 1);
+      const auto body = constraint.attribute(("body" + number).c_str()),
+                 site = constraint.attribute(("site" + number).c_str());
+      for (const ReadFrame& frame : result_.frames)
+        if (frame.name == (frame.is_body() ? body : site).value()) loop.carriers[i] = frame.carrier;
+      if (is_handle(body.value())) return;
+    }
+    result_.loops.push_back(std::move(loop));
   }
 
   /// Beside the joint's own spring.
@@ -62,13 +146,16 @@ class MjcfReader {
                  both = joint.stiffness + servo.stiffness();
     joint.rest = (joint.stiffness * joint.rest + servo.stiffness() * rest) / both;
     joint.stiffness = both;
-    result_.notes.push_back(
-        fmt::format("joint {}: {} is a spring of {:.6g} N m/rad about its command, {:.6g} rad", joint.name,
-                    servo.name, servo.stiffness(), servo.rest()));
+    joint.servo += servo.stiffness();
+    const bool turns = joint.motion == JointMotion::hinge;
+    result_.notes.push_back(fmt::format("joint {}: {} is a spring of {:.6g} {} about its command, {:.6g} {}",
+                                        joint.name, servo.name, servo.stiffness(), turns ? "N m/rad" : "N/m",
+                                        servo.rest(), turns ? "rad" : "m"));
   }
 
   void add_mass(std::size_t body) {
     const MjcfBody& own = scene_.bodies[body];
+    if (own.element.child("inertial")) check_inertia(body);
     const std::size_t carrier = scene_.last_joint(body);
     if (carrier < scene_.joints.size()) exchange::add_mass(result_.joints[carrier], own.mass, own.middle);
   }
@@ -83,13 +170,6 @@ class MjcfReader {
 
   void leave_out() {
     std::vector<std::string>& out = result_.left_out;
-    for (const MjcfJoint& joint : scene_.joints) {
-      const auto limited = scene_.defaults.attribute(joint.element, "limited");
-      const bool free = limited && std::string(limited.value()) == "false";
-      if (scene_.defaults.number(joint.element, "frictionloss", 0) > 0)
-        out.push_back("frictionloss of " + joint.name);
-      if (scene_.defaults.attribute(joint.element, "range") && !free) out.push_back("range of " + joint.name);
-    }
     out.insert(out.end(), actuators_.left_out.begin(), actuators_.left_out.end());
     const xml_node root = scene_.document.root();
     if (const auto count = elements_in(root, "tendon")) out.push_back(fmt::format("{} tendons", count));

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A nominal chain out of a model's file, ours or a simulator's.
+/// A nominal chain out of a model's file, ours or a simulator's; an arm out of a simulator's.
 
 #include <filesystem>
 #include <string>
@@ -8,6 +8,7 @@
 
 #include "diagnose/exchange/format.hpp"
 #include "diagnose/exchange/planar_chain.hpp"
+#include "diagnose/exchange/spatial_arm.hpp"
 
 namespace plumbline::exchange {
 
@@ -15,5 +16,8 @@ namespace plumbline::exchange {
 /// \throws Error, one line: for an ending of no format, a file that is none of its format, and what is no
 ///         planar serial chain of hinges
 PlanarChain read_model(const std::filesystem::path& file, const std::vector<std::string>& kept = {});
+
+/// \throws Error, one line: as read_model() does for a file, and as spatial_arm() does for what is no arm
+SpatialArm read_arm(const std::filesystem::path& file, const ArmEnds& ends = {});
 
 }  // namespace plumbline::exchange

@@ -1,7 +1,10 @@
 #include "diagnose/exchange/read_sdf.hpp"
 
+#include <cmath>
+#include <limits>
 #include <plumbline/base/error.hpp>
 
+#include "diagnose/exchange/physical_body.hpp"
 #include "support/files/printable.hpp"
 
 namespace plumbline::exchange {
@@ -19,7 +22,7 @@ class SdfReader {
       if (is(part, "joint") && !is_fixed(part)) add_joint(name, part);
     for (const auto& [name, part] : tree_.parts()) {
       if (is(part, "link")) add_link(name, part);
-      if (is(part, "frame")) add_end("frame", name, tree_.link_of(name));
+      if (is(part, "frame")) add_frame(name);
     }
     add_gravity();
     if (tree_.world && tree_.world.child("include")) result_.left_out.emplace_back("what the world includes");
@@ -55,20 +58,34 @@ class SdfReader {
     ReadJoint joint;
     joint.name = files::shown(name);
     joint.carrier = joint_of(tree_.link_of(tree_.named_by(own, "parent")));
-    joint.hinge = type == "revolute" || type == "continuous";
+    joint.type = type;
+    joint.motion = motion_of(type);
     joint.anchor = tree_.pose(name).translation();
+    joint.turn = tree_.pose(tree_.link_of(tree_.named_by(own, "child"))).linear();
     const xml_node axis = own.element.child("axis"), dynamics = axis.child("dynamics"),
                    limit = axis.child("limit");
-    if (!axis && joint.hinge) throw Error(place(own), "no <axis>", "one");
-    joint.axis = frame_of_axis(name, own) * direction_of(axis, own);
+    if (!axis && joint.motion == JointMotion::hinge) throw Error(place(own), "no <axis>", "one");
+    joint.axis = tree_.pose(tree_.frame_of_axis(name)).linear() * direction_of(axis, own);
     joint.stiffness = number(dynamics, "spring_stiffness", 0, own);
     joint.rest = number(dynamics, "spring_reference", 0, own);
+    joint.friction = number(dynamics, "friction", 0, own);
+    joint.range = {bound(limit, "lower", -unbounded, own), bound(limit, "upper", unbounded, own)};
+    if (const xml_node mimic = axis.child("mimic"))
+      joint.follows = files::shown(mimic.attribute("joint").value());
     result_.joints.push_back(joint);
-    constexpr double once_around = 6.2, unbounded = 1e16;
-    if (number(dynamics, "friction", 0, own) > 0) result_.left_out.push_back("friction of " + joint.name);
-    if (joint.hinge &&
-        number(limit, "upper", unbounded, own) - number(limit, "lower", -unbounded, own) < once_around)
-      result_.left_out.push_back("range of " + joint.name);
+  }
+
+  static JointMotion motion_of(const std::string& type) {
+    if (type == "revolute" || type == "continuous") return JointMotion::hinge;
+    return type == "prismatic" ? JointMotion::slide : JointMotion::other;
+  }
+
+  static constexpr double unbounded = 1e16;  ///< the format's word for a limit that is none
+
+  [[nodiscard]] double bound(xml_node limit, const char* side, double otherwise, const Part& own) const {
+    const double value = number(limit, side, otherwise, own);
+    return std::abs(value) < unbounded ? value
+                                       : std::copysign(std::numeric_limits<double>::infinity(), value);
   }
 
   [[nodiscard]] Vector3d direction_of(xml_node axis, const Part& own) const {
@@ -79,30 +96,37 @@ class SdfReader {
     return along;
   }
 
-  /// Until 1.4 axes counted in the frame of the model, later where a switch says so.
-  [[nodiscard]] Eigen::Matrix3d frame_of_axis(const std::string& name, const Part& own) const {
-    const xml_node axis = own.element.child("axis");
-    if (const auto frame = axis.child("xyz").attribute("expressed_in"); frame && *frame.value() != '\0')
-      return tree_.pose(tree_.resolved(frame.value(), own.scope)).linear();
-    const std::string of_model = axis.child("use_parent_model_frame").text().get();
-    constexpr int first_in_own_frame = 5;
-    if (of_model == "true" || of_model == "1" || tree_.version() < first_in_own_frame)
-      return tree_.pose(tree_.resolved("__model__", own.scope)).linear();
-    return tree_.pose(name).linear();
-  }
-
   void add_link(const std::string& name, const Part& own) {
     const std::string carrier = joint_of(name), holder = tree_.holder_of(name);
     if (!holder.empty() && is_fixed(tree_.parts().at(holder))) add_end("link", name, name);
+    const std::string parent =
+        holder.empty() ? "" : tree_.link_of(tree_.named_by(tree_.parts().at(holder), "parent"));
+    result_.frames.push_back({"link", files::shown(name), carrier,
+                              parent == "world" ? "" : files::shown(parent), tree_.pose(name)});
     const xml_node inertial = own.element.child("inertial");
     if (inertial.attribute("auto").as_bool()) {
       result_.left_out.push_back("mass of " + files::shown(name) + ", which its shape has");
       return;
     }
     const double mass = number(inertial, "mass", 1, own);
+    require_mass(mass, place(own));
+    if (const std::string words = impossible_inertia(tensor_of(inertial.child("inertia"), own));
+        !words.empty())
+      result_.inertias.push_back({files::shown(name), words, carrier});
     const Vector3d middle = tree_.pose(name) * place_in(inertial, own);
     for (ReadJoint& joint : result_.joints)
       if (joint.name == carrier) add_mass(joint, mass, middle);
+  }
+
+  /// Moments that are not said are 1, as sdformat has it.
+  [[nodiscard]] Eigen::Matrix3d tensor_of(xml_node inertia, const Part& own) const {
+    const auto said = [&](const char* name, double otherwise) {
+      return number(inertia, name, otherwise, own);
+    };
+    Eigen::Matrix3d tensor;
+    tensor << said("ixx", 1), said("ixy", 0), said("ixz", 0), 0, said("iyy", 1), said("iyz", 0), 0, 0,
+        said("izz", 1);
+    return tensor.selfadjointView<Eigen::Upper>();
   }
 
   [[nodiscard]] Vector3d place_in(xml_node inertial, const Part& own) const {
@@ -110,6 +134,14 @@ class SdfReader {
     if (text.empty()) return Vector3d::Zero();
     const std::vector<double> pose = numbers_in(text, place(own) + ": pose", 6, 7);
     return {pose[0], pose[1], pose[2]};
+  }
+
+  void add_frame(const std::string& name) {
+    const std::string link = tree_.link_of(name);
+    add_end("frame", name, link);
+    const bool of_world = link == "world";
+    result_.frames.push_back({"frame", files::shown(name), of_world ? "" : joint_of(link),
+                              of_world ? "" : files::shown(link), tree_.pose(name)});
   }
 
   void add_end(const char* kind, const std::string& name, const std::string& link) {
@@ -121,7 +153,8 @@ class SdfReader {
     Vector3d g(0, 0, -9.8);
     if (const xml_node said = tree_.world.child("gravity"))
       g = vector_in(said.text().get(), tree_.file() + ": gravity");
-    result_.gravity = tree_.turn().transpose() * g;
+    result_.placed = tree_.placed();
+    result_.gravity = tree_.placed().linear().transpose() * g;
     if (!tree_.world) result_.left_out.emplace_back("no gravity of its own: -9.8 along z");
   }
 

@@ -32,7 +32,7 @@ class SdfTree {
   /// The version, 1.7 as 7.
   [[nodiscard]] int version() const { return version_; }
   /// The model in its world.
-  [[nodiscard]] Eigen::Matrix3d turn() const { return turn_; }
+  [[nodiscard]] const Eigen::Isometry3d& placed() const { return placed_; }
 
   /// Where a part is in the frame of the model. \throws Error where it is not there, or said in a circle
   [[nodiscard]] Eigen::Isometry3d pose(const std::string& name) const;
@@ -44,17 +44,20 @@ class SdfTree {
   [[nodiscard]] std::string holder_of(const std::string& link) const;
   /// The name that a child element has, as the model has it.
   [[nodiscard]] std::string named_by(const Part& part, const char* child) const;
+  /// The part in whose frame a part's pose is said; empty for that of the model.
+  [[nodiscard]] std::string base_of(const Part& part) const;
+  /// The part in whose frame the axis of a joint is said; empty for that of the model.
+  [[nodiscard]] std::string frame_of_axis(const std::string& joint) const;
 
  private:
   void find_model();
   void add_parts(pugi::xml_node holder, const std::string& scope);
   void find_holders();
-  [[nodiscard]] std::string base_of(const Part& part) const;
   [[nodiscard]] const Part& part(const std::string& name) const;
 
   std::string file_;
   int version_ = 0;
-  Eigen::Matrix3d turn_ = Eigen::Matrix3d::Identity();
+  Eigen::Isometry3d placed_ = Eigen::Isometry3d::Identity();
   std::map<std::string, Part> parts_;
   std::map<std::string, std::string> holders_;
   mutable std::map<std::string, Eigen::Isometry3d> poses_;  ///< those that were asked for

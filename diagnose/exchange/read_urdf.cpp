@@ -2,6 +2,7 @@
 
 #include <plumbline/base/error.hpp>
 
+#include "diagnose/exchange/physical_body.hpp"
 #include "support/files/printable.hpp"
 
 namespace plumbline::exchange {
@@ -18,6 +19,7 @@ Isometry3d origin_of(xml_node element, const std::string& place) {
     return said ? vector_in(said.value(), place + ": " + name) : Vector3d(Vector3d::Zero());
   };
   const Vector3d turn = vector("rpy");
+  require_radians(turn, place + ": rpy");
   Isometry3d at = Isometry3d::Identity();
   at.translate(vector("xyz"));
   at.rotate(Eigen::AngleAxisd(turn.z(), Vector3d::UnitZ()) * Eigen::AngleAxisd(turn.y(), Vector3d::UnitY()) *
@@ -138,9 +140,10 @@ class UrdfReader {
     ReadJoint joint;
     joint.name = files::shown(own.attribute("name").value());
     joint.carrier = joint_of(link_of(own, "parent"));
-    joint.hinge = type == "revolute" || type == "continuous";
-    joint.free = type == "floating";
+    joint.type = type;
+    joint.motion = motion_of(type);
     joint.anchor = at.translation();
+    joint.turn = at.linear();
     const auto axis = own.child("axis").attribute("xyz");
     joint.axis =
         at.linear() * (axis ? vector_in(axis.value(), place + ": axis") : Vector3d(Vector3d::UnitX()));
@@ -152,36 +155,58 @@ class UrdfReader {
     };
     joint.stiffness = spring("springStiffness");
     joint.rest = spring("springReference");
+    add_range(joint, own, place);
+    if (const xml_node mimic = own.child("mimic"))
+      joint.follows = files::shown(mimic.attribute("joint").value());
     result_.joints.push_back(joint);
-    leave_out(own, joint.name, place);
   }
 
-  void leave_out(xml_node own, const std::string& name, const std::string& place) {
+  static JointMotion motion_of(const std::string& type) {
+    if (type == "revolute" || type == "continuous") return JointMotion::hinge;
+    if (type == "prismatic") return JointMotion::slide;
+    return type == "floating" ? JointMotion::free : JointMotion::other;
+  }
+
+  static void add_range(ReadJoint& joint, xml_node own, const std::string& place) {
     const auto number = [&](const char* child, const char* attribute) {
       const auto said = own.child(child).attribute(attribute);
       return said ? number_in(said.value(), place + ": " + attribute) : 0;
     };
-    constexpr double once_around = 6.2;
-    if (number("dynamics", "friction") > 0) result_.left_out.push_back("friction of " + name);
-    if (std::string(own.attribute("type").value()) == "revolute" &&
-        number("limit", "upper") - number("limit", "lower") < once_around)
-      result_.left_out.push_back("range of " + name);
-    if (own.child("mimic")) result_.left_out.push_back("mimic of " + name);
+    joint.friction = number("dynamics", "friction");
+    if (joint.type == "continuous" || !own.child("limit")) return;
+    joint.range = {number("limit", "lower"), number("limit", "upper")};
   }
 
-  /// What it weighs, and where it is, if it is held by a joint that is fixed.
+  /// What it weighs, and where it is.
   void add_link(xml_node link) {
     const std::string name = link.attribute("name").value(), carrier = joint_of(name);
     const Isometry3d& at = tree_.place(name);
+    const std::string parent = link_of(tree_.holder_of(name), "parent");
+    result_.frames.push_back({"link", files::shown(name), carrier, files::shown(parent), at});
     if (is_fixed(tree_.holder_of(name)) && !carrier.empty())
       result_.ends.push_back({"link", files::shown(name), carrier, at.translation()});
     const xml_node inertial = link.child("inertial");
     if (!inertial) return;
     const std::string place = place_of(tree_.file(), link);
     const double mass = number_in(inertial.child("mass").attribute("value").value(), place + ": mass");
+    require_mass(mass, place);
+    if (const std::string words = impossible_inertia(tensor_of(inertial.child("inertia"), place));
+        !words.empty())
+      result_.inertias.push_back({files::shown(name), words, carrier});
     const Vector3d middle = at * origin_of(inertial, place).translation();
     for (ReadJoint& joint : result_.joints)
       if (joint.name == carrier) add_mass(joint, mass, middle);
+  }
+
+  static Eigen::Matrix3d tensor_of(xml_node inertia, const std::string& place) {
+    const auto number = [&](const char* name) {
+      const auto said = inertia.attribute(name);
+      return said ? number_in(said.value(), place + ": " + name) : 0;
+    };
+    Eigen::Matrix3d tensor;
+    tensor << number("ixx"), number("ixy"), number("ixz"), 0, number("iyy"), number("iyz"), 0, 0,
+        number("izz");
+    return tensor.selfadjointView<Eigen::Upper>();
   }
 
   UrdfTree tree_;

@@ -1,6 +1,7 @@
 #include <numbers>
 #include <plumbline/base/error.hpp>
 
+#include "diagnose/exchange/physical_body.hpp"
 #include "diagnose/exchange/read_sdf.hpp"
 #include "support/files/printable.hpp"
 
@@ -33,6 +34,7 @@ Isometry3d written_pose(xml_node element, const std::string& place) {
   }
   const std::string degrees = pose.attribute("degrees").value();
   const double unit = degrees == "true" || degrees == "1" ? std::numbers::pi / 180 : 1;
+  if (unit == 1) require_radians({p[3], p[4], p[5]}, place + ": pose");
   at.rotate(Eigen::AngleAxisd(p[5] * unit, Vector3d::UnitZ()) *
             Eigen::AngleAxisd(p[4] * unit, Vector3d::UnitY()) *
             Eigen::AngleAxisd(p[3] * unit, Vector3d::UnitX()));
@@ -62,7 +64,7 @@ void SdfTree::find_model() {
   if (moving.size() != 1)
     throw Error(file_, std::to_string(moving.size()) + " models that move", "one model");
   model = moving.front();
-  turn_ = written_pose(model, place_of(file_, model)).linear();
+  placed_ = written_pose(model, place_of(file_, model));
 }
 
 void SdfTree::add_parts(xml_node holder, const std::string& scope) {
@@ -115,6 +117,17 @@ std::string SdfTree::base_of(const Part& one) const {
   const std::string kind = one.element.name();
   if (kind == "joint") return named_by(one, "child");
   return resolved(kind == "frame" ? one.element.attribute("attached_to").value() : "", one.scope);
+}
+
+/// Until 1.4 axes counted in the frame of the model, later where a switch says so.
+std::string SdfTree::frame_of_axis(const std::string& joint) const {
+  const Part& own = part(joint);
+  const xml_node axis = own.element.child("axis");
+  if (const auto frame = axis.child("xyz").attribute("expressed_in"); frame && *frame.value() != '\0')
+    return resolved(frame.value(), own.scope);
+  constexpr int first_in_own_frame = 5;
+  const bool of_model = is_on(axis, "use_parent_model_frame") || version_ < first_in_own_frame;
+  return of_model ? resolved("__model__", own.scope) : joint;
 }
 
 Isometry3d SdfTree::pose(const std::string& name) const {

@@ -50,13 +50,13 @@ std::vector<std::string> planar_part(const ReadModel& model) {
     const ReadJoint &a = model.joints[on], &b = model.joints[j];
     const Eigen::Vector3d axis = a.axis.normalized();
     constexpr double apart = 1e-6;  // m
-    return a.hinge && axis.cross(b.axis.normalized()).norm() < parallel &&
+    return a.motion == JointMotion::hinge && axis.cross(b.axis.normalized()).norm() < parallel &&
            (a.anchor - b.anchor).cross(axis).norm() > apart;
   };
   // The nearest hinge below each that it may follow, whatever is held between them.
   std::vector<std::size_t> before(count, count), length(count, 0);
   for (std::size_t j = 0; j < count; ++j) {
-    if (!model.joints[j].hinge) continue;
+    if (model.joints[j].motion != JointMotion::hinge) continue;
     std::size_t on = numbers.of(model.joints[j].carrier), steps = 0;
     while (on < count && !follows(j, on) && ++steps <= count) on = numbers.of(model.joints[on].carrier);
     if (steps > count) return {};  // joints that carry each other
@@ -66,7 +66,7 @@ std::vector<std::string> planar_part(const ReadModel& model) {
   for (std::size_t j = 0; j < count; ++j) {
     for (std::size_t one = j; one < count && length[j] <= count; one = before[one]) ++length[j];
     if (length[j] > count) return {};
-    if (model.joints[j].hinge && (last == count || length[j] > length[last])) last = j;
+    if (model.joints[j].motion == JointMotion::hinge && (last == count || length[j] > length[last])) last = j;
   }
   std::vector<std::string> names;
   if (last == count || length[last] < 2) return names;
@@ -107,7 +107,8 @@ void Series::choose(const std::vector<std::string>& kept, const std::string& sou
   std::vector<bool> carries(count, false);
   for (const ReadJoint& joint : model_.joints)
     if (const std::size_t on = numbers_.of(joint.carrier); on != count) carries[on] = true;
-  for (std::size_t j = 0; j < count; ++j) kept_[j] = !model_.joints[j].free || carries[j];
+  for (std::size_t j = 0; j < count; ++j)
+    kept_[j] = model_.joints[j].motion != JointMotion::free || carries[j];
 }
 
 void Series::follow(const std::string& source) {

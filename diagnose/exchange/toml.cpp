@@ -55,6 +55,12 @@ std::string law_table(const diagnose::FreeLaw& law) {
   return arms.empty() ? text : text + "arms = [" + arms + "]\n";
 }
 
+/// The links, or the joint that is alone.
+std::string what_it_is(const diagnose::NominalChain& chain) {
+  if (chain.alone == diagnose::Alone::no) return list("link_length", chain.link_length);
+  return fmt::format("joint = \"{}\"\n", chain.alone == diagnose::Alone::turns ? "revolute" : "prismatic");
+}
+
 }  // namespace
 
 Written to_toml(const Model& model) {
@@ -67,8 +73,7 @@ Written to_toml(const Model& model) {
   for (const diagnose::FreeLaw& law : chain.laws)
     file.effects.push_back({fmt::format("torque_law({})", law.joint), true, "as [[nominal.torque_law]]"});
   for (const std::string& line : head_lines(model, file.effects)) file.text += "# " + line + "\n";
-  file.text += "\n[nominal]\n" + list("link_length", chain.link_length) +
-               list("joint_stiffness", chain.joint_stiffness);
+  file.text += "\n[nominal]\n" + what_it_is(chain) + list("joint_stiffness", chain.joint_stiffness);
   if (any(chain.link_mass)) file.text += list("link_mass", chain.link_mass);
   if (chain.gravity != std::array<double, 2>{0, 0})
     file.text += list("gravity", {chain.gravity.begin(), chain.gravity.end()});

@@ -48,6 +48,7 @@ constexpr Way no_presliding{false, "dry friction of this format does not give be
 constexpr Way no_camera{false, "of the camera, not of the chain"};
 constexpr Way no_pulley{false, "of the pulley, not of the chain"};
 constexpr Way no_set{false, "rest angles of this format do not move"};
+constexpr Way no_joint_alone{false, "this format has bodies, not a joint alone"};
 constexpr Way no_coupling{false, "joints of this format are not coupled"};
 constexpr Way no_point{false, "this format has no place for where a force acts"};
 
@@ -84,6 +85,10 @@ const std::map<std::string_view, Way>& everywhere() {
                                                    {"direction_friction", constant},
                                                    {"speed_friction", constant},
                                                    {"cell_curvature", no_curve},
+                                                   {"load_zero", no_joint_alone},
+                                                   {"load_gain", no_joint_alone},
+                                                   {"load_drift", no_joint_alone},
+                                                   {"load_lag", no_joint_alone},
                                                    {"plastic_set", no_set}};
   return all;
 }

@@ -38,9 +38,9 @@ std::vector<std::vector<Element>> one_fewer(const std::vector<Element>& elements
   return ways;
 }
 
-/// The new one is weak, and acts halfway between its neighbours; five eighths as far as the first of them,
-/// half as far again as the last.
-std::vector<std::vector<Element>> one_more(const std::vector<Element>& elements, double weak) {
+/// A weak one more, halfway between its neighbours; five eighths as far as the first of them, half as far
+/// again as the last.
+std::vector<std::vector<Element>> one_born(const std::vector<Element>& elements, double weak) {
   std::vector<std::vector<Element>> ways;
   for (std::size_t e = 0; e <= elements.size(); ++e) {
     const double after = e < elements.size() ? elements[e].back() : 2 * elements.back().back(),
@@ -51,6 +51,29 @@ std::vector<std::vector<Element>> one_more(const std::vector<Element>& elements,
     ways.push_back(elements);
     ways.back().insert(ways.back().begin() + static_cast<std::ptrdiff_t>(e), added);
   }
+  return ways;
+}
+
+/// One made two of half its strength each, on either side of it: what made_one() would make it of.
+std::vector<std::vector<Element>> one_split(const std::vector<Element>& elements) {
+  constexpr double apart = 0.4;
+  std::vector<std::vector<Element>> ways;
+  for (std::size_t e = 0; e < elements.size(); ++e) {
+    ways.push_back(elements);
+    Element& first = ways.back()[e];
+    first.front() /= 2;
+    Element second = first;
+    first.back() *= 1 - apart;
+    second.back() *= 1 + apart;
+    ways.back().insert(ways.back().begin() + static_cast<std::ptrdiff_t>(e) + 1, second);
+  }
+  return ways;
+}
+
+std::vector<std::vector<Element>> one_more(const std::vector<Element>& elements, double weak) {
+  std::vector<std::vector<Element>> ways = one_born(elements, weak);
+  const std::vector<std::vector<Element>> split = one_split(elements);
+  ways.insert(ways.end(), split.begin(), split.end());
   return ways;
 }
 

@@ -14,6 +14,15 @@ std::vector<Channel> channels_of(const Experiment& experiment) {
   return all;
 }
 
+/// Noise of the imposed channel of a joint alone, as the nominal spring passes it on to the measured one;
+/// that of a chain's imposed channels does not count.
+double passed_on(const Experiment& experiment, const Run& run) {
+  const double k = experiment.joint_stiffness.front();
+  if (run.alone == Alone::no || run.commands_joints() || k == 0) return 0;
+  const double imposed = run.imposed().front().sigma(experiment.noise);
+  return run.holds_end_point() ? k * imposed : imposed / k;
+}
+
 VectorXd column(const std::vector<double>& values) {
   return Eigen::Map<const VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
@@ -28,7 +37,8 @@ Measurements::Measurements(const Experiment& experiment) {
       const Run& run = experiment.runs[r];
       const std::vector<Channel> measured = run.measured();
       if (std::find(measured.begin(), measured.end(), channel) == measured.end()) continue;
-      Series series{r, channel, places_.size(), {}, channel.sigma(experiment.noise) * run.noise_of_group()};
+      const double sigma_of_one = std::hypot(channel.sigma(experiment.noise), passed_on(experiment, run));
+      Series series{r, channel, places_.size(), {}, sigma_of_one * run.noise_of_group()};
       for (std::size_t i = 0; i < run.readings.size(); ++i) {
         const double one = channel.of(run.readings[i]);
         if (!std::isfinite(one)) continue;

@@ -322,23 +322,37 @@ class Searcher {
     extend(rests, fitted_replacements * rests.size());
   }
 
-  /// The leading hypothesis with every other number of elements that an effect of it may have.
+  /// Where an effect of the leading hypothesis may have other numbers of elements: that hypothesis with every
+  /// one of those, and so the best with this effect of each smaller number of causes, since what stands
+  /// beside too few elements in place of the others makes the right number of them no better.
   void fit_other_orders() {
     if (found_.hypotheses.empty()) return;
     const Hypothesis lead = found_.hypotheses.front();
-    for (std::size_t e = 0; e < lead.candidate.effects.size(); ++e) {
-      if (!lead.candidate.effects[e].effect->orders) continue;
-      const std::vector<const Effect*> rows = lead.candidate.effects[e].effect->orders();
-      const auto own = std::find(rows.begin(), rows.end(), lead.candidate.effects[e].effect);
-      const auto step_on = [&, last = lead](const Effect* row) mutable {
-        Task task{last.candidate, initial_guesses_of_order(study_, last, e, *row)};
-        task.candidate.effects[e] = EffectAt(*row, last.candidate.effects[e].joint);
-        fit({task});
-        if (const Hypothesis* found = find(task.candidate)) last = *found;
-      };
-      std::for_each(std::make_reverse_iterator(own), rows.rend(), step_on);
-      std::for_each(own + 1, rows.end(), step_on);
+    for (const EffectAt& at : lead.candidate.effects) {
+      if (!at.effect->orders) continue;
+      std::vector<Hypothesis> best{lead};
+      for (const Hypothesis& h : found_.hypotheses)
+        if (h.candidate.has(at) && h.candidate.count() < best.back().candidate.count()) best.push_back(h);
+      for (const Hypothesis& h : best)
+        fit_other_orders(h, static_cast<std::size_t>(
+                                std::find(h.candidate.effects.begin(), h.candidate.effects.end(), at) -
+                                h.candidate.effects.begin()));
     }
+  }
+
+  /// One element fewer at a time, down to one, and one more at a time from there.
+  void fit_other_orders(const Hypothesis& lead, std::size_t e) {
+    const std::vector<const Effect*> rows = lead.candidate.effects[e].effect->orders();
+    const auto own = std::find(rows.begin(), rows.end(), lead.candidate.effects[e].effect);
+    Hypothesis last = lead;
+    const auto step_on = [&](const Effect* row) {
+      Task task{last.candidate, initial_guesses_of_order(study_, last, e, *row)};
+      task.candidate.effects[e] = EffectAt(*row, last.candidate.effects[e].joint);
+      fit({task});
+      if (const Hypothesis* found = find(task.candidate)) last = *found;
+    };
+    std::for_each(std::make_reverse_iterator(own), rows.rend(), step_on);
+    std::for_each(rows.begin() + 1, rows.end(), step_on);
   }
 
   /// Estimates the noise again where the best hypothesis is taken away, and weighs all by it.

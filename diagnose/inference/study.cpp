@@ -5,6 +5,7 @@
 #include <plumbline/base/parallel.hpp>
 
 #include "diagnose/rig/nominal.hpp"
+#include "diagnose/rig/sliding_unit.hpp"
 
 namespace plumbline::diagnose {
 namespace {
@@ -27,7 +28,8 @@ double farthest(const Experiment& experiment, std::size_t joint, Angle angle) {
   return most;
 }
 
-/// Joints that the nominal model leaves at rest, as a servo arm without its weight, are told by their measured angles.
+/// Joints that the nominal model leaves at rest, as a servo arm without its weight, are told by their
+/// measured angles.
 Excitation exercise_of(const Experiment& experiment, const Prediction& nominal) {
   Excitation use{std::vector<double>(experiment.link_length.size(), 0.0), 0, 0};
   for (std::size_t i = 0; i < use.deflection.size(); ++i) {
@@ -59,11 +61,10 @@ Experiment with_rows(Experiment experiment, std::shared_ptr<const std::vector<Ef
   return experiment;
 }
 
-std::vector<const Effect*> all_rows(const std::vector<Effect>* stated) {
-  std::vector<const Effect*> rows;
-  for (const Effect& row : catalogue()) rows.push_back(&row);
-  if (stated == nullptr) return rows;
-  for (const Effect& row : *stated) rows.push_back(&row);
+std::vector<const Effect*> all_rows(const Experiment& experiment) {
+  std::vector<const Effect*> rows = rows_for(experiment.arm != nullptr);
+  if (experiment.stated == nullptr) return rows;
+  for (const Effect& row : *experiment.stated) rows.push_back(&row);
   return rows;
 }
 
@@ -71,7 +72,7 @@ std::vector<const Effect*> all_rows(const std::vector<Effect>* stated) {
 
 Study::Study(Experiment experiment)
     : experiment_(numbered(std::move(experiment))),
-      effects_(all_rows(experiment_.stated.get())),
+      effects_(all_rows(experiment_)),
       measurements_(experiment_),
       scales_(characteristic_scales(experiment_)),
       nominal_rig_(diagnose::nominal_rig(experiment_)) {}
@@ -106,7 +107,12 @@ const Excitation& Study::excitation() const {
 }
 
 std::vector<ParameterRange> Study::ranges(const EffectAt& at) const {
-  return at.effect->parameters({scales_, index_of(at)});
+  std::vector<ParameterRange> all = at.effect->parameters({scales_, index_of(at)});
+  const bool slides = at.joint > 0 && experiment_.arm &&
+                      experiment_.arm->arm.links[at.joint - 1].kind == JointKind::prismatic;
+  if (slides || experiment_.alone == Alone::slides)
+    for (ParameterRange& one : all) one.unit = sliding_unit(one.unit);
+  return all;
 }
 
 std::vector<ParameterRange> Study::ranges(const Candidate& candidate) const {

@@ -70,6 +70,12 @@ Json gap(const GapAnswer& answer, const NoiseEstimate& estimate) {
   add_departures(report, answer, estimate.shape);
   report["outliers"] = outliers(answer.outliers);
   report["assumed_weights"] = answer.taken_for_weights;
+  report["continued_runs"] = Json::array(), report["interpolated"] = Json::array();
+  for (const ContinuedRun& one : answer.continued)
+    report["continued_runs"].push_back({{"run", one.run}, {"by", one.by}});
+  for (const InterpolatedCovariate& one : answer.interpolated)
+    report["interpolated"].push_back(
+        {{"run", one.run}, {"covariate", one.covariate}, {"readings", one.count}, {"of", one.of}});
   report["other_branch"] = Json::array();
   for (const OtherBranch& one : answer.other_branch)
     report["other_branch"].push_back({{"run", one.run}, {"from", one.reading}});
@@ -216,6 +222,7 @@ Json as_json(const Diagnosis& diagnosis) {
                  {"shrink", diagnosis.shrink ? shrink(diagnosis) : Json(nullptr)},
                  {"next", next(diagnosis.proposals)}};
   if (diagnosis.law) report["law"] = law_as_json(*diagnosis.law);
+  if (!diagnosis.joints.empty()) report["joint_names"] = diagnosis.joints;
   return report;
 }
 

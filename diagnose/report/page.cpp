@@ -229,7 +229,9 @@ void add_charts(Json& view, const Explained& explained) {
   view["angle_curves"] = section(charts(curves, true));
   view["residuals"] = charts(residuals, false);
   view["angle_residuals"] = section(charts(residuals, true));
-  view["shapes"] = charts(shape_charts(explained), false);
+  const std::vector<PageChart> drawn = shape_charts(explained);
+  view["shapes"] = charts(drawn, false);
+  view["has_shapes"] = !drawn.empty();
   view["rings"] = at_joints(explained);
   view["loops"] = section(charts(loop_charts(explained), false));
   if (!view.contains("law")) return;
@@ -257,6 +259,7 @@ std::string as_html(const Study& study, const Diagnosis& diagnosis) {
     view["shrink"]["model"] = tested_model(diagnosis);
     view["shrink"]["heldout_names"] = joined(diagnosis.shrink->heldout, ", ", ", ");
   }
+  view["torque_unit"] = std::string(diagnosis.cause.torque_unit);
   view["proposals"] = {{"any", !diagnosis.proposals.empty()}};
   add_charts(view, explained);
   return page::document("Diagnosis of " + diagnosis.experiment,

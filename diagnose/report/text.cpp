@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "diagnose/design/separation.hpp"
 #include "diagnose/report/law.hpp"
@@ -47,6 +48,12 @@ std::string gap(const Diagnosis& diagnosis) {
   if (!answer.taken_for_weights.empty())
     text += fmt::format("  all forces of {} point straight down without noise: assumed to be weights\n",
                         fmt::join(answer.taken_for_weights, ", "));
+  for (const ContinuedRun& one : answer.continued)
+    text += fmt::format("  {} goes on where {} ends, in time and command: read as one run\n",
+                        fmt::join(one.by, ", "), one.run);
+  for (const InterpolatedCovariate& one : answer.interpolated)
+    text += fmt::format("  {} has no value at {} of {} readings of {}: interpolated in time\n", one.covariate,
+                        one.count, one.of, one.run);
   for (const OtherBranch& one : answer.other_branch)
     text += fmt::format(
         "  from reading {} of {} on the chain is on the other post-critical branch, which imperfections "
@@ -73,16 +80,18 @@ std::string where(const Diagnosis& diagnosis) {
   text += "  channels: " + largest(places.channels, 4, [](const auto& one) { return one.channel.label(); }) +
           "\n";
   text += "  runs:     " + largest(places.runs, 4, [](const auto& one) { return one.run; }) + "\n";
-  text += "  path:     " +
-          largest(places.load_path, 3,
-                  [](const PathShare& one) {
-                    return fmt::format("{} readings {}-{} ({})", one.run, one.from, one.to,
-                                       regime_word(one.regime));
-                  }) +
-          "\n";
-  text += "  joints:   " +
-          largest(places.joints, 4, [](const JointShare& one) { return std::to_string(one.joint); }) + " (" +
-          joint_evidence_words(places.joint_evidence) + ")\n";
+  if (!places.load_path.empty())
+    text += "  path:     " +
+            largest(places.load_path, 3,
+                    [](const PathShare& one) {
+                      return fmt::format("{} readings {}-{} ({})", one.run, one.from, one.to,
+                                         regime_word(one.regime));
+                    }) +
+            "\n";
+  if (!places.joints.empty())
+    text += "  joints:   " +
+            largest(places.joints, 4, [](const JointShare& one) { return std::to_string(one.joint); }) +
+            " (" + joint_evidence_words(places.joint_evidence) + ")\n";
   return text;
 }
 
@@ -133,8 +142,8 @@ std::string beside(const Cause& cause) {
   if (shows_tolerances(cause.ranking.front())) text += "  manufacturing tolerances show beside it\n";
   if (cause.discrepancy > 0)
     text += fmt::format(
-        "  model discrepancy: {:.2g} N m at the joints, {} of the nominal residual beside the noise\n",
-        cause.discrepancy_torque, percent(cause.discrepancy));
+        "  model discrepancy: {:.2g} {} at the joints, {} of the nominal residual beside the noise\n",
+        cause.discrepancy_torque, cause.torque_unit, percent(cause.discrepancy));
   return text;
 }
 
@@ -268,9 +277,21 @@ std::string answer(const Diagnosis& diagnosis) {
   return text + "\n" + few_values(diagnosis);
 }
 
+/// The names of the joints that the explanations have.
+std::string names_of_joints(const Diagnosis& diagnosis) {
+  std::set<std::size_t> named;
+  for (std::size_t i = 0; i < diagnosis.cause.named; ++i)
+    for (const EffectAt& at : diagnosis.cause.ranking[i].cause.effects)
+      if (at.joint > 0 && at.joint <= diagnosis.joints.size()) named.insert(at.joint);
+  std::vector<std::string> words;
+  for (const std::size_t joint : named)
+    words.push_back(fmt::format("joint {} is {}", joint, diagnosis.joints[joint - 1]));
+  return words.empty() ? "" : "  " + joined(words, ", ", ", ") + "\n";
+}
+
 /// The answer in a few lines, with what it rests on.
 std::string headline(const Diagnosis& diagnosis) {
-  std::string text = answer(diagnosis);
+  std::string text = answer(diagnosis) + names_of_joints(diagnosis);
   if (const auto& shrink = diagnosis.shrink; shrink && shrink->tested() && shrink->ratio < 1)
     text += fmt::format("  {} leaves {} of the held-out residual; noise alone {}\n", tested_model(diagnosis),
                         precise_percent(shrink->ratio), precise_percent(shrink->noise_floor_ratio));

@@ -116,7 +116,17 @@ Command command_of_joints(const Run& run) {
       if (const double way = std::abs(run.readings[i].rest[j] - run.rest[j]); way > most)
         most = way, joint = j, command.farthest = i;
   for (const Reading& reading : run.readings) command.along.push_back(reading.rest[joint] - run.rest[joint]);
-  command.label = fmt::format("command of joint {} from its first, rad", joint + 1);
+  command.label = fmt::format("command of joint {} from its first, {}", joint + 1,
+                              run.alone == Alone::slides ? "m" : "rad");
+  return command;
+}
+
+Command command_of_joint_alone(const Run& run) {
+  Command command{{}, with_unit(run.imposed().front()), 0};
+  for (const Reading& reading : run.readings) command.along.push_back(run.imposed_at(reading).x());
+  const auto first = command.along.begin();
+  const auto away = [&](double a, double b) { return std::abs(a - *first) < std::abs(b - *first); };
+  command.farthest = static_cast<std::size_t>(std::max_element(first, command.along.end(), away) - first);
   return command;
 }
 
@@ -124,6 +134,7 @@ Command command_of_joints(const Run& run) {
 
 Command command_of(const Run& run) {
   if (run.commands_joints()) return command_of_joints(run);
+  if (run.alone != Alone::no) return command_of_joint_alone(run);
   std::vector<Vector2> way;
   Command command{{}, "", 0};
   Vector2 start(0, 0), farthest(0, 0);
@@ -136,7 +147,7 @@ Command command_of(const Run& run) {
   const Vector2 direction = farthest.norm() > 0 ? Vector2(farthest.normalized()) : Vector2(1, 0);
   for (const Vector2& point : way) command.along.push_back(point.dot(direction));
   command.label = (run.holds_end_point() ? "end point moved along " : "force added along ") +
-                  words_for(direction) + ", " + std::string(run.imposed()[0].unit());
+                  words_for(direction) + ", " + std::string(run.imposed().front().unit());
   return command;
 }
 

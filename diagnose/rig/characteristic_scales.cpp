@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnose/rig/rig.hpp"
+
 namespace plumbline::diagnose {
 namespace {
 
@@ -39,12 +41,28 @@ bool reads_both_forces(const Run& run) {
          any_reading(run, [](const Reading& reading) { return std::isfinite(reading.Fy); });
 }
 
+/// How the run loads the chain, or the joint, and by which sensor.
+void find_loading(const Run& run, CharacteristicScales& size) {
+  const bool reads = reads_force(run), senses = reads || !(run.holds_end_point() || run.by_weights);
+  if (run.alone != Alone::no) {
+    size.reads_load = size.reads_load || reads;
+    size.load_sensor = size.load_sensor || senses;
+    return;
+  }
+  const auto loaded = [&](const Reading& one) { return run.imposed_at(one).norm() > 0; };
+  size.measures_force = size.measures_force || reads;
+  size.imposes_force = size.imposes_force || (!run.holds_end_point() && any_reading(run, loaded));
+  size.pivot = size.pivot || !run.by_weights;
+  size.load_cell = size.load_cell || senses;
+  size.measures_both_forces = size.measures_both_forces || reads_both_forces(run);
+}
+
 /// The largest force component that is read, and how many readings come as near to it as noise allows.
 void find_plateau(const Experiment& experiment, CharacteristicScales& size) {
   const auto each_component = [&](auto use) {
     for (const Run& run : experiment.runs)
       for (const Reading& reading : run.readings) {
-        if (!run.holds_end_point()) continue;
+        if (!run.holds_end_point() || run.alone != Alone::no) continue;
         use(std::abs(or_zero(reading.Fx)), experiment.noise.Fx);
         use(std::abs(or_zero(reading.Fy)), experiment.noise.Fy);
       }
@@ -56,10 +74,50 @@ void find_plateau(const Experiment& experiment, CharacteristicScales& size) {
   });
 }
 
+/// Whether weights of known masses, without a sensor, load an arm.
+bool reads_wrench(const Run& run) {
+  return !run.by_weights && any_reading(run, [](const Reading& reading) { return !reading.wrench.empty(); });
+}
+
+double wrench_force(const Reading& reading) {
+  return reading.wrench.empty() ? 0 : Eigen::Map<const Eigen::Vector3d>(reading.wrench.data()).norm();
+}
+
+/// Scales of loads on an arm in space, and what its joints do.
+void add_arm(const Experiment& experiment, CharacteristicScales& size) {
+  const SerialArm<double>& arm = experiment.arm->arm;
+  size.arm = experiment.arm;
+  size.moves.assign(arm.size(), false);
+  double mass = 0, force = 0;
+  for (const ArmLink<double>& link : arm.links) {
+    mass += link.mass;
+    size.yields = size.yields || link.joint_compliance > 0 || yields(link);
+  }
+  for (const Run& run : experiment.runs) {
+    size.load_cell = size.load_cell || reads_wrench(run);
+    for (const Reading& reading : run.readings) {
+      force = std::max(force, wrench_force(reading));
+      for (std::size_t j = 0; j < arm.size(); ++j)
+        size.moves[j] = size.moves[j] || std::abs(reading.rest[j] - experiment.runs.front().rest[j]) > 1e-3;
+    }
+  }
+  const double kilogram = 1, weight = mass * arm.gravity.norm();
+  size.imposes_force = force > 0;
+  size.mass = mass > 0 ? mass / static_cast<double>(arm.size()) : kilogram;
+  size.nominal_weight = weight > 0;
+  size.weighs = true;
+  size.force = std::max({force, 0.3 * weight, 1e-3 * standard_gravity});
+  size.torque = 0.3 * size.force * size.length;
+  constexpr double yields_little = 1e-3;  // rad, of joints that are modelled as rigid, under a typical torque
+  if (!(size.stiffness > 0)) size.stiffness = size.torque / yields_little;
+  size.deflection = std::clamp(size.torque / size.stiffness, 1e-6, 1.0);
+}
+
 }  // namespace
 
 CharacteristicScales characteristic_scales(const Experiment& experiment) {
   CharacteristicScales size;
+  size.links = experiment.alone == Alone::no;
   size.joint_stiffness = experiment.joint_stiffness;
   size.link_length = experiment.link_length;
   double elastic = 0;
@@ -75,15 +133,8 @@ CharacteristicScales characteristic_scales(const Experiment& experiment) {
       size.duration = std::max(size.duration, run.readings.back().t - run.readings.front().t);
     if (const double pause = run.sampling_interval(); pause > 0)
       size.sampling_interval = size.sampling_interval > 0 ? std::min(size.sampling_interval, pause) : pause;
-    size.measures_force = size.measures_force || reads_force(run);
-    size.imposes_force =
-        size.imposes_force || (!run.holds_end_point() && any_reading(run, [&](const Reading& one) {
-          return run.imposed_at(one).norm() > 0;
-        }));
-    size.pivot = size.pivot || !run.by_weights;
-    size.load_cell = size.load_cell || reads_force(run) || !(run.holds_end_point() || run.by_weights);
     size.clock = size.clock || !run.counts_readings();
-    size.measures_both_forces = size.measures_both_forces || reads_both_forces(run);
+    find_loading(run, size);
     for (const Channel& channel : run.measured())
       if (any_reading(run, [&](const Reading& reading) { return std::isfinite(channel.of(reading)); }))
         size.measured[static_cast<std::size_t>(channel.name)] = true;
@@ -100,10 +151,14 @@ CharacteristicScales characteristic_scales(const Experiment& experiment) {
   size.sampling_interval = size.sampling_interval > 0 ? size.sampling_interval : size.duration;
   // The deflection that the force gives a lever of half the chain, kept to what angles can be.
   size.deflection = std::clamp(0.3 * size.force * size.length / size.stiffness, 1e-4, 1.0);
+  // Flexures turn by a fraction of a milliradian: what is typical of arms would be out of all proportion.
+  constexpr double hardly = 0.01;
+  if (force > 0) size.turn = std::min(1.0, size.deflection / hardly);
   const bool falls = experiment.gravity[0] != 0 || experiment.gravity[1] != 0;
   size.nominal_weight = falls && std::any_of(experiment.link_mass.begin(), experiment.link_mass.end(),
                                              [](double mass) { return mass > 0; });
   size.weighs = experiment.bench.plane != Bench::Plane::horizontal;
+  if (experiment.arm) add_arm(experiment, size);
   return size;
 }
 

@@ -15,13 +15,17 @@ struct CharacteristicScales {
   double force = 0;                                  ///< the 90 % quantile of the force on the end point
   double deflection = 0;                             ///< of a joint under such a force, rad
   double duration = 0, sampling_interval = 0;        ///< of the longest run; of the fastest run
-  bool weighs = true;                                ///< gravity may act in the plane of the bench
-  bool nominal_weight = false;                       ///< the nominal links have weight
-  bool measures_force = false;                       ///< some run imposes the end point and reads the force
-  bool imposes_force = false;                        ///< some run imposes the force on the end point
-  bool load_cell = false;             ///< some run reads the force or controls it by a load cell
-  bool pivot = false;                 ///< a drive holds or pulls the end point; weights do not
-  bool clock = false;                 ///< time stamps are more than the readings' numbers, 0, 1, 2, ...
+  bool links = true;                                 ///< a chain; a joint alone has none
+  double turn = 1;              ///< unit of the ranges of angles, rad: 1, but for joints that hardly turn
+  bool weighs = true;           ///< gravity may act in the plane of the bench
+  bool nominal_weight = false;  ///< the nominal links have weight
+  bool measures_force = false;  ///< some run imposes the end point and reads the force
+  bool imposes_force = false;   ///< some run imposes the force on the end point
+  bool load_cell = false;       ///< some run reads the force or controls it by a load cell
+  bool load_sensor = false;     ///< the load of a joint alone is read, or controlled, by a sensor
+  bool reads_load = false;      ///< it is read
+  bool pivot = false;           ///< a drive holds or pulls the end point; weights do not
+  bool clock = false;           ///< time stamps are more than the readings' numbers, 0, 1, 2, ...
   bool measures_both_forces = false;  ///< some run reads both components of the force
   std::size_t runs = 0;               ///< of the whole experiment
   bool turns_back = false;            ///< the command of some run reverses
@@ -29,6 +33,13 @@ struct CharacteristicScales {
   double largest_reading = 0;         ///< of |Fx| and |Fy|, where they are read
   std::size_t at_largest = 0;         ///< readings of a force that reach the largest one within their noise
   std::array<bool, channel_names> measured{};  ///< by channel name
+
+  // Of an arm in space.
+  std::shared_ptr<const NominalArm> arm;  ///< null for a chain in the plane
+  std::vector<bool> moves;                ///< by joint, whether its command changes
+  double torque = 0;                      ///< of a joint under a typical load, N m
+  double mass = 0;                        ///< of the mean link, kg
+  bool yields = false;                    ///< some joint or link yields
 
   /// Stiffness of a joint; for a passive joint the mean of the elastic ones.
   [[nodiscard]] double stiffness_at(std::size_t joint) const {

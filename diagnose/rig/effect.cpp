@@ -54,12 +54,31 @@ const std::vector<Effect>& catalogue() {
   return all;
 }
 
+const std::vector<Effect>& arm_catalogue() {
+  static const std::vector<Effect> all = [] {
+    std::vector<Effect> rows = arm_joint_effects();
+    for (Effect& row : arm_bench_effects()) rows.push_back(std::move(row));
+    return rows;
+  }();
+  return all;
+}
+
+std::vector<const Effect*> rows_for(bool arm) {
+  std::vector<const Effect*> rows;
+  for (const Effect& row : catalogue())
+    if (!arm || row.in_space) rows.push_back(&row);
+  if (!arm) return rows;
+  for (const Effect& row : arm_catalogue()) rows.push_back(&row);
+  return rows;
+}
+
 const Effect& effect(std::string_view id, std::size_t joint) {
   const Effect* named = nullptr;
-  for (const Effect& row : catalogue())
-    if (row.id == id &&
-        (named == nullptr || (row.at_joint == (joint > 0) && row.at_joint != named->at_joint)))
-      named = &row;
+  for (const std::vector<Effect>* rows : {&catalogue(), &arm_catalogue()})
+    for (const Effect& row : *rows)
+      if (row.id == id &&
+          (named == nullptr || (row.at_joint == (joint > 0) && row.at_joint != named->at_joint)))
+        named = &row;
   if (named != nullptr) return *named;
   throw Error("effect", std::string(id), "an id of the effect catalogue");
 }
@@ -106,9 +125,12 @@ bool Candidate::is_part_of(const Candidate& other) const {
 }
 
 bool Candidate::has_all_tolerances() const {
-  const auto rows = [](const auto& all, auto row) { return std::count_if(all.begin(), all.end(), row); };
-  return rows(effects, [](const EffectAt& at) { return at.effect->is_tolerance; }) ==
-         rows(catalogue(), [](const Effect& row) { return row.is_tolerance; });
+  const auto has_those_of = [&](bool arm) {
+    const std::vector<const Effect*> rows = rows_for(arm);
+    return std::all_of(rows.begin(), rows.end(),
+                       [&](const Effect* row) { return !row->is_tolerance || has(EffectAt(*row)); });
+  };
+  return has_those_of(false) || has_those_of(true);
 }
 
 bool Candidate::has_as_tolerance(const EffectAt& at) const {

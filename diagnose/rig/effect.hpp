@@ -111,14 +111,20 @@ struct Effect {
   bool is_tolerance = false;
   /// Stands for a cause that the catalogue does not have.
   bool outside = false;
+  /// Acts on arms in space too.
+  bool in_space = false;
 };
 
-/// All effects, in the order of docs/effects.md.
+/// All effects of chains in the plane, in the order of docs/effects.md.
 const std::vector<Effect>& catalogue();
+/// The effects of arms in space alone, in the order of docs/arms.md.
+const std::vector<Effect>& arm_catalogue();
+/// The rows for a chain in the plane or for an arm in space: some are in both.
+std::vector<const Effect*> rows_for(bool arm);
 
-/// The row of an id. Of two rows with that id, the one at a single joint where `joint` (from 1) is given,
-/// else the one with one value for all joints.
-/// \throws Error for an id that the catalogue does not have
+/// The row of an id. Of several rows with that id, the first of those at a single joint where `joint` (from
+/// 1) is given, else of those with one value for all joints.
+/// \throws Error for an id that neither catalogue has
 const Effect& effect(std::string_view id, std::size_t joint = 0);
 
 /// An effect at its place. `joint` counts from 1; 0 where the effect is not at one joint.

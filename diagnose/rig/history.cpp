@@ -9,6 +9,7 @@
 #include <optional>
 #include <plumbline/chain/kinematics.hpp>
 
+#include "diagnose/rig/arm_history.hpp"
 #include "diagnose/rig/rig_solver.hpp"
 #include "diagnose/rig/substeps.hpp"
 
@@ -83,17 +84,6 @@ struct Traveller {
     return lagging(read, dt).cwiseMin(rig.force_limit).cwiseMax(-rig.force_limit);
   }
 
-  [[nodiscard]] TimeStep interval(double dt) const {
-    TimeStep result;
-    result.relaxed = false;
-    for (std::size_t a = 0; a < on.arm_time.size() && dt > 0; ++a) {
-      const double ratio = dt / on.arm_time[a];
-      result.decay.at(a) = std::exp(-ratio);
-      result.gain.at(a) = -std::expm1(-ratio) / ratio;
-    }
-    return result;
-  }
-
   /// Sets the expected joint speeds from those of the last step.
   /// \param share  length of the next step of the command over that of the last
   void expect(double share, double dt) {
@@ -102,23 +92,9 @@ struct Traveller {
 
   void remember(const Layout& layout, const TimeStep& during) {
     for (std::size_t i = 0; i < memory.size(); ++i) {
-      const JointLaw& law = on.joint[i];
-      const double q = layout.joint_angle(posture.angle, i);
-      JointMemory& own = memory[i];
-      // Sliders and arms use the previous angle, which is overwritten last.
-      for (std::size_t s = 0; s < law.slider.size(); ++s)
-        if (law.slider[s].acts() && (law.slider[s].from_rest || !during.relaxed))
-          own.slider.at(s) =
-              law.along(law.slider[s], own.slider[s], q, own, posture.contact[layout.contact(i, s)]).value;
-      if (!during.relaxed)
-        for (std::size_t a = 0; a < on.arm_time.size(); ++a)
-          own.arm[a] = law.viscous(a, q, own, during.decay[a], during.gain[a]).value;
-      law.flow_to(q, own);
-      // The approach to the first reading has no known speed.
-      own.turn = std::abs(during.relaxed ? q : q - own.angle);
-      own.angle = q;
-      own.led = 0;
-      rest_then_[i] = law.rest;
+      const Contact* const contact = posture.contact.data() + layout.contact(i, 0);
+      diagnose::remember(on, during, i, layout.joint_angle(posture.angle, i), contact, memory[i]);
+      rest_then_[i] = on.joint[i].rest;
     }
   }
 
@@ -318,8 +294,9 @@ class RunWalk {
     const auto step_of = [&](Traveller& rig) {
       if (!reading.rest.empty()) rig.turn_to(reading.rest);
       rig.expect(share, dt);
-      RigStep step{rig.on, moved_ ? rig.interval(dt) : TimeStep{}, rig.memory};
+      RigStep step{rig.on, moved_ ? time_step(rig.on, dt) : TimeStep{}, rig.memory};
       step.interval.end = reading.t;
+      step.interval.covariates = reading.covariates;
       return step;
     };
     const RigStep step = step_of(main_);
@@ -361,18 +338,19 @@ class RunWalk {
     row(column_Fy) = force.y();
     for (std::size_t i = 0; i < layout_.links; ++i)
       row(column_q + static_cast<Eigen::Index>(i)) = layout_.joint_angle(rig.posture.angle, i);
-    correct(rig.on, reading.t, row);
+    correct(rig.on, reading, row);
   }
 
   /// Adds the user's corrections to the measured channels.
   template <class Row>
-  void correct(const RunRig& on, double t, Row& row) const {
+  void correct(const RunRig& on, const Reading& reading, Row& row) const {
     if (on.rig.stated_corrections.empty()) return;
     Eigen::ArrayXd added = Eigen::ArrayXd::Zero(row.size());
     for (const StatedCorrection& one : on.rig.stated_corrections) {
       for (const Channel& channel : run_.measured()) {
         if (!one.applies_to(channel)) continue;
-        const Moment moment{t, run_.number, direction_of(channel), on.joint[channel.joint].rest};
+        const Moment moment{reading.t, run_.number, direction_of(channel), on.joint[channel.joint].rest,
+                            reading.covariates};
         added(column_of(channel)) += one.value(reading_values(row.transpose(), moment, channel));
       }
     }
@@ -382,9 +360,9 @@ class RunWalk {
   /// Direction of motion for a channel, 1 or -1; 1 before the first motion. Varied rigs share it, for a
   /// reversal at another reading would turn a jump into a slope.
   [[nodiscard]] double direction_of(const Channel& channel) const {
-    const bool along_x = channel.name == Channel::Name::x || channel.name == Channel::Name::Fx;
+    const bool along_y = channel.name == Channel::Name::y || channel.name == Channel::Name::Fy;
     const double way =
-        channel.name == Channel::Name::q ? turning_[channel.joint].way : direction_(along_x ? 0 : 1);
+        channel.name == Channel::Name::q ? turning_[channel.joint].way : direction_(along_y ? 1 : 0);
     return way < 0 ? -1 : 1;
   }
 
@@ -428,17 +406,6 @@ bool walk(const Experiment& experiment, const Run& run, const Layout& layout, co
   }
 }
 
-/// Number of sliders of each joint, with dry friction and the direction of motion.
-std::size_t contact_count(const Rig& rig) {
-  const bool directed =
-      std::any_of(rig.stated_torques.begin(), rig.stated_torques.end(), std::mem_fn(&StatedTorque::directed));
-  std::size_t most = 0;
-  for (std::size_t i = 0; i < rig.length.size(); ++i) most = std::max(most, slider_count(rig, i));
-  const bool dry = rig.friction_law.growth > 0 || std::any_of(rig.friction.begin(), rig.friction.end(),
-                                                              [](double torque) { return torque > 0; });
-  return (most > 0 || dry || directed ? 1 + most : 0) + (directed ? 1 : 0);
-}
-
 Layout layout_of(const Rig& rig, const std::vector<RigVariation>& variations) {
   Layout layout{rig.length.size(), rig.flexibility > 0, rig.coupling != 0, contact_count(rig)};
   for (const RigVariation& other : variations) {
@@ -455,14 +422,17 @@ std::vector<double> reading_values(const Eigen::Ref<const Eigen::ArrayXd>& row, 
   const double run = static_cast<double>(moment.run + 1);
   std::vector<double> values{row(column_x), row(column_y), row(column_Fx),  row(column_Fy),
                              moment.t,      run,           moment.direction};
-  if (channel.name != Channel::Name::q) return values;
-  const double q = row(column_of(channel));
-  values.insert(values.end(), {q, q - moment.rest});
+  if (channel.name == Channel::Name::q) {
+    const double q = row(column_of(channel));
+    values.insert(values.end(), {q, q - moment.rest});
+  }
+  values.insert(values.end(), moment.covariates.begin(), moment.covariates.end());
   return values;
 }
 
 Prediction simulate(const Experiment& experiment, const Rig& rig,
                     const std::vector<RigVariation>& variations) {
+  if (experiment.arm) return simulate_arm(experiment, rig, variations);
   const Layout layout = layout_of(rig, variations);
   Prediction result;
   for (const Run& run : experiment.runs) {

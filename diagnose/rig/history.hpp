@@ -3,6 +3,7 @@
 /// The prediction of an experiment with a given rig, along the loading history of every run.
 
 #include <Eigen/Core>
+#include <span>
 #include <vector>
 
 #include "diagnose/bench/experiment.hpp"
@@ -13,7 +14,18 @@ namespace plumbline::diagnose {
 /// The channels of a reading, as columns of a trace: x, y, Fx, Fy, q_1 … q_n.
 enum ChannelColumn : Eigen::Index { column_x, column_y, column_Fx, column_Fy, column_q };
 
+/// Joints of an arm in space, at most: the columns of its points and torques come behind so many angles.
+inline constexpr std::size_t most_arm_joints = 24;
+
 inline Eigen::Index column_of(const Channel& channel) {
+  using Name = Channel::Name;
+  constexpr auto behind_angles = static_cast<std::size_t>(column_q) + most_arm_joints;
+  if (channel.name == Name::angle) return column_x;
+  if (channel.name == Name::torque) return column_Fx;
+  if (channel.name == Name::drive) return static_cast<Eigen::Index>(behind_angles + channel.joint);
+  if (channel.name == Name::place || channel.name == Name::turn)
+    return static_cast<Eigen::Index>(behind_angles + most_arm_joints + 2 * channel.joint +
+                                     (channel.name == Name::turn ? 1 : 0));
   return static_cast<Eigen::Index>(static_cast<std::size_t>(channel.name) + channel.joint);
 }
 
@@ -27,9 +39,10 @@ struct Moment {
   double
       direction;  ///< 1 or -1: of the joint for a joint angle, else of the command along the channel's axis
   double rest;    ///< rest angle of that joint
+  std::span<const double> covariates = {};  ///< of the reading
 };
 
-/// The values of the variables of a channel's correction: reading_variables, angle_variables.
+/// The values of the variables of a channel's correction: reading_variables, angle_variables, covariates.
 std::vector<double> reading_values(const Eigen::Ref<const Eigen::ArrayXd>& row, const Moment& moment,
                                    const Channel& channel);
 

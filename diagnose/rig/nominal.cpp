@@ -22,6 +22,7 @@ std::vector<Point<double>> weights(const Experiment& experiment) {
 Rig without_effects(const Experiment& experiment) {
   const std::size_t n = experiment.link_length.size();
   Rig rig;
+  rig.alone = experiment.alone != Alone::no;
   rig.length = experiment.link_length;
   rig.stiffness = experiment.joint_stiffness;
   rig.rest_error.assign(n, 0);
@@ -36,6 +37,7 @@ Rig without_effects(const Experiment& experiment) {
   rig.sliders.resize(n);
   for (const Point<double>& weight : weights(experiment)) rig.weight.emplace_back(weight.x, weight.y);
   rig.weight.resize(n, Vector2::Zero());
+  if (experiment.arm) rig.arm = ArmRig::nominal(experiment);
   return rig;
 }
 
@@ -47,11 +49,11 @@ std::string place_of(const Experiment& experiment, std::size_t number, const std
 /// The rows that a nominal model may have: the catalogue's of every model order, and the user's.
 std::vector<const Effect*> rows_of(const Experiment& experiment) {
   std::vector<const Effect*> rows;
-  for (const Effect& row : catalogue()) {
-    rows.push_back(&row);
-    if (!row.orders) continue;
-    for (const Effect* other : row.orders())
-      if (other != &row) rows.push_back(other);
+  for (const Effect* row : rows_for(experiment.arm != nullptr)) {
+    rows.push_back(row);
+    if (!row->orders) continue;
+    for (const Effect* other : row->orders())
+      if (other != row) rows.push_back(other);
   }
   if (experiment.stated)
     for (const Effect& row : *experiment.stated) rows.push_back(&row);

@@ -5,10 +5,12 @@
 
 #include <Eigen/Core>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "diagnose/bench/experiment.hpp"
 #include "diagnose/bench/free_law.hpp"
+#include "diagnose/rig/arm_rig.hpp"
 #include "diagnose/rig/stated.hpp"
 
 namespace plumbline::diagnose {
@@ -40,6 +42,8 @@ struct FrictionLaw {
 };
 
 struct Rig {
+  bool alone = false;  ///< the one joint has no link: force.x is its torque, and the place x its angle
+
   // The chain, per joint or link.
   std::vector<double> length;      ///< L_j
   std::vector<double> stiffness;   ///< k_i
@@ -93,6 +97,9 @@ struct Rig {
   // By run number; later runs have no addition.
   std::vector<std::vector<double>> run_rest;  ///< [run][joint], beside rest_error
   std::vector<Vector2> run_tare;              ///< [run], beside force_bias
+
+  // An arm in space; none for a chain in the plane.
+  std::optional<ArmRig> arm;
 
   // Free torque laws.
   std::vector<FreeLaw> laws;

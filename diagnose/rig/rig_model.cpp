@@ -67,12 +67,15 @@ void RigModel<Bandwidth>::assemble(const Vector<double>& angle, const Point<doub
   if constexpr (Bandwidth > 1) {
     if (step_->run.rig.coupling != 0) add_coupling<derivatives>(angle, at);
   }
-  if (Bandwidth > 1 && layout_.bending) {
+  if (step_->run.rig.alone) {
+    load_joint<derivatives>(angle, force, at);
+  } else if (Bandwidth > 1 && layout_.bending) {
     for (std::size_t j = 0; j < layout_.links; ++j) add_bending_link<derivatives>(j, angle, force, at);
+    add_end<derivatives>(angle, force, at);
   } else {
     add_rigid_links<derivatives>(angle, force, at);
+    add_end<derivatives>(angle, force, at);
   }
-  add_end<derivatives>(angle, force, at);
   if (step_->run.rig.stated_torques.empty()) return;
   for (std::size_t i = 0; i < layout_.links; ++i)
     add_stated<derivatives>(i, layout_.joint_angle(angle, i), force, at);
@@ -80,17 +83,7 @@ void RigModel<Bandwidth>::assemble(const Vector<double>& angle, const Point<doub
 
 template <int Bandwidth>
 Torque RigModel<Bandwidth>::history(std::size_t joint, double q) const {
-  const JointLaw& law = step_->run.joint[joint];
-  const JointMemory& last = step_->memory[joint];
-  const TimeStep& interval = step_->interval;
-  Torque torque;
-  for (std::size_t s = 0; s < law.slider.size(); ++s)
-    if (s != law.direction && law.slider[s].acts() && (law.slider[s].from_rest || !interval.relaxed))
-      torque += law.dry(law.slider[s], last.slider[s], q, last, (*contact_)[layout_.contact(joint, s)]);
-  if (interval.relaxed) return torque;
-  for (std::size_t a = 0; a < step_->run.arm_time.size(); ++a)
-    torque += law.viscous(a, q, last, interval.decay[a], interval.gain[a]);
-  return torque;
+  return history_torque(*step_, joint, q, contact_->data() + layout_.contact(joint, 0));
 }
 
 template <int Bandwidth>
@@ -130,7 +123,8 @@ void RigModel<Bandwidth>::add_stated(std::size_t joint, double q, const Vector2&
       s < law.slider.size() && !step_->interval.relaxed
           ? law.dry(law.slider[s], last.slider[s], q, last, (*contact_)[layout_.contact(joint, s)])
           : Torque{};
-  const StatedTorque::Place place{q, q - law.rest, step_->interval.end, law.stiffness, force};
+  const TimeStep& interval = step_->interval;
+  const StatedTorque::Place place{q, q - law.rest, interval.end, law.stiffness, force, interval.covariates};
   for (const StatedTorque& one : law.stated) {
     const double value = one.value(place, motion.value);
     if constexpr (!derivatives) {
@@ -237,6 +231,20 @@ void RigModel<Bandwidth>::add_bending_link(std::size_t j, const Vector<double>& 
     for (Eigen::Index a = 0; a < 3; ++a)
       for (Eigen::Index b = 0; b <= a; ++b)
         at.hessian(a - b, first + b) += shape(a) * shape(b) * part.stiffness;
+  }
+}
+
+template <int Bandwidth>
+template <bool derivatives>
+void RigModel<Bandwidth>::load_joint(const Vector<double>& angle, const Vector2& force, At& at) const {
+  at.residual(0) -= force.x();
+  // Nothing acts across: a unit compliance there leaves no force where the place 0 is imposed.
+  at.end_point = {angle(0), force.y()};
+  if constexpr (derivatives) {
+    at.energy += force.y() * force.y() / 2;
+    at.end_point_gradient(0, 0) = 1;
+    at.compliance(1, 1) = 1;
+    at.force_gradient = at.end_point_gradient;
   }
 }
 

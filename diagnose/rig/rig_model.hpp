@@ -56,6 +56,9 @@ class RigModel {
   void add_stated(std::size_t joint, double q, const Vector2& force, At& at) const;
   template <bool derivatives>
   void add_coupling(const Vector<double>& angle, At& at) const;
+  /// Loads a joint alone: its end point is its angle, its force its torque.
+  template <bool derivatives>
+  void load_joint(const Vector<double>& angle, const Vector2& force, At& at) const;
   template <bool derivatives>
   void add_rigid_links(const Vector<double>& angle, const Vector2& force, At& at) const;
   template <bool derivatives>

@@ -75,6 +75,16 @@ std::size_t slider_count(const Rig& rig, std::size_t joint) {
   return count;
 }
 
+std::size_t contact_count(const Rig& rig) {
+  const bool directed =
+      std::any_of(rig.stated_torques.begin(), rig.stated_torques.end(), std::mem_fn(&StatedTorque::directed));
+  std::size_t most = 0;
+  for (std::size_t i = 0; i < rig.length.size(); ++i) most = std::max(most, slider_count(rig, i));
+  const bool dry = rig.friction_law.growth > 0 || std::any_of(rig.friction.begin(), rig.friction.end(),
+                                                              [](double torque) { return torque > 0; });
+  return (most > 0 || dry || directed ? 1 + most : 0) + (directed ? 1 : 0);
+}
+
 RunRig::RunRig(Rig own, const std::vector<double>& commanded_rest)
     : rig(std::move(own)),
       arm_time(arm_times(rig)),
@@ -97,6 +107,34 @@ void RunRig::turn_to(const std::vector<double>& commanded_rest) {
     joint[i].rest = commanded_rest[i] * std::exp(-rig.capstan * static_cast<double>(i)) + rig.rest_error[i];
     rest_orientation += joint[i].rest;
   }
+}
+
+TimeStep time_step(const RunRig& run, double dt) {
+  TimeStep result;
+  result.relaxed = false;
+  for (std::size_t a = 0; a < run.arm_time.size() && dt > 0; ++a) {
+    const double ratio = dt / run.arm_time[a];
+    result.decay.at(a) = std::exp(-ratio);
+    result.gain.at(a) = -std::expm1(-ratio) / ratio;
+  }
+  return result;
+}
+
+void remember(const RunRig& run, const TimeStep& during, std::size_t joint, double q, const Contact* contact,
+              JointMemory& memory) {
+  const JointLaw& law = run.joint[joint];
+  // Sliders and arms use the previous angle, which is overwritten last.
+  for (std::size_t s = 0; s < law.slider.size(); ++s)
+    if (law.slider[s].acts() && (law.slider[s].from_rest || !during.relaxed))
+      memory.slider.at(s) = law.along(law.slider[s], memory.slider[s], q, memory, contact[s]).value;
+  if (!during.relaxed)
+    for (std::size_t a = 0; a < run.arm_time.size(); ++a)
+      memory.arm[a] = law.viscous(a, q, memory, during.decay[a], during.gain[a]).value;
+  law.flow_to(q, memory);
+  // The approach to the first reading has no known speed.
+  memory.turn = std::abs(during.relaxed ? q : q - memory.angle);
+  memory.angle = q;
+  memory.led = 0;
 }
 
 }  // namespace plumbline::diagnose

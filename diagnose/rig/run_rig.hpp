@@ -5,6 +5,7 @@
 #include <plumbline/base/number.hpp>
 #include <plumbline/chain/kinematics.hpp>
 #include <plumbline/loaded/control.hpp>
+#include <span>
 #include <vector>
 
 #include "diagnose/rig/joint_law.hpp"
@@ -25,6 +26,8 @@ std::vector<double> arm_times(const Rig& rig);
 /// Number of sliders of a joint without its dry friction.
 /// \param joint  from 0
 std::size_t slider_count(const Rig& rig, std::size_t joint);
+/// Number of sliders of each joint, with dry friction and the direction of motion.
+std::size_t contact_count(const Rig& rig);
 
 /// The rig during one run, with the present rest angles of its joints.
 struct RunRig {
@@ -45,6 +48,7 @@ struct TimeStep {
   TimeStep() { decay.fill(1), gain.fill(1); }
   bool relaxed = true;  ///< a slow approach before the first reading: no Maxwell arm, few sliders
   double end = 0;       ///< time of the reading, s
+  std::span<const double> covariates = {};    ///< at the reading
   std::array<double, most_arms> decay, gain;  ///< of the rig's arms
 };
 
@@ -54,6 +58,28 @@ struct RigStep {
   TimeStep interval;
   const std::vector<JointMemory>& memory;
 };
+
+/// The interval of that length, s, after an earlier reading; zero where no time passes.
+TimeStep time_step(const RunRig& run, double dt);
+
+/// The torque of a joint's sliders and Maxwell arms at an angle.
+/// \param contact  the states of its sliders
+inline Torque history_torque(const RigStep& step, std::size_t joint, double q, const Contact* contact) {
+  const JointLaw& law = step.run.joint[joint];
+  const JointMemory& last = step.memory[joint];
+  Torque torque;
+  for (std::size_t s = 0; s < law.slider.size(); ++s)
+    if (s != law.direction && law.slider[s].acts() && (law.slider[s].from_rest || !step.interval.relaxed))
+      torque += law.dry(law.slider[s], last.slider[s], q, last, contact[s]);
+  if (step.interval.relaxed) return torque;
+  for (std::size_t a = 0; a < step.run.arm_time.size(); ++a)
+    torque += law.viscous(a, q, last, step.interval.decay[a], step.interval.gain[a]);
+  return torque;
+}
+
+/// Brings the memory of a joint to the angle at which it has arrived.
+void remember(const RunRig& run, const TimeStep& during, std::size_t joint, double q, const Contact* contact,
+              JointMemory& memory);
 
 /// The imposed quantity: the true end point or the true force.
 struct Imposed {

@@ -1,5 +1,8 @@
 #include "diagnose/rig/stated.hpp"
 
+#include <algorithm>
+
+#include "diagnose/bench/experiment.hpp"
 #include "diagnose/rig/joint_law.hpp"
 
 namespace plumbline::diagnose {
@@ -24,9 +27,11 @@ StatedTorque::Place pushed(StatedTorque::Place at, Eigen::Index axis, double by)
 }  // namespace
 
 double StatedTorque::towards(const Place& at, double direction) const {
-  const std::array values{at.q, at.d, direction, at.t, at.k, at.force.x(), at.force.y()};
-  static_assert(values.size() == torque_variables.size());
-  return formula->at(values, parameters);
+  constexpr std::size_t count = torque_variables.size();
+  std::array<double, count + most_covariates> values{at.q, at.d,         direction,   at.t,
+                                                     at.k, at.force.x(), at.force.y()};
+  std::copy(at.covariates.begin(), at.covariates.end(), values.begin() + count);
+  return formula->at(std::span(values).first(count + at.covariates.size()), parameters);
 }
 
 double StatedTorque::value(const Place& at, double motion) const {

@@ -7,6 +7,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "diagnose/bench/channel.hpp"
@@ -17,7 +18,8 @@ namespace plumbline::diagnose {
 struct Torque;
 
 /// The variables of a torque: joint angle, deflection from rest, direction of motion, time of the reading,
-/// the joint's stiffness, true force on the end point. Parameters follow.
+/// the joint's stiffness, true force on the end point. The covariates of the experiment follow, then the
+/// parameters.
 inline constexpr std::array<const char*, 7> torque_variables{"q", "d", "s", "t", "k", "Fx", "Fy"};
 
 /// A torque of one joint, N m: positive where it resists a positive deflection, as k d does.
@@ -31,6 +33,7 @@ struct StatedTorque {
   struct Place {
     double q, d, t, k;
     Eigen::Vector2d force;
+    std::span<const double> covariates = {};
   };
   [[nodiscard]] bool directed() const { return formula->uses("s"); }
   /// \param motion  direction of the joint's motion: 1 or -1, or a value between them while the joint sticks,
@@ -45,7 +48,7 @@ struct StatedTorque {
 };
 
 /// The variables of a correction: the readings without it, time, number of the run (from 1), direction of
-/// motion. The variables of an angle follow, then the parameters.
+/// motion. The variables of an angle follow, then the covariates, then the parameters.
 inline constexpr std::array<const char*, 7> reading_variables{"x", "y", "Fx", "Fy", "t", "run", "s"};
 
 /// Further variables of a joint angle: the angle itself, and its deflection.

@@ -12,6 +12,7 @@
 
 #include "diagnose/bench/conversion.hpp"
 #include "diagnose/rig/nominal.hpp"
+#include "diagnose/screening/arm_conventions.hpp"
 #include "diagnose/screening/misfit.hpp"
 #include "diagnose/screening/stuck_channel.hpp"
 
@@ -73,7 +74,7 @@ double distance_at_start(const Experiment& experiment) {
   double sum = 0;
   const double whole = std::accumulate(experiment.link_length.begin(), experiment.link_length.end(), 0.0);
   for (const Run& run : experiment.runs) {
-    if (!run.holds_end_point() || run.readings.empty()) continue;
+    if (!run.holds_end_point() || run.readings.empty() || run.alone != Alone::no) continue;
     sum += (run.command(run.readings.front()) - unloaded_end(experiment, run.rest)).norm() / whole;
   }
   return sum;
@@ -83,7 +84,7 @@ double distance_at_start(const Experiment& experiment) {
 /// fractions of the sensor's in the run.
 struct Change {
   double before = 0, after = 0;
-  std::array<ColumnSums, 3> was, is;
+  std::array<ColumnSums, sensors> was, is;
   bool readable = true;  ///< the converted columns hold most of their readings
 
   Change& operator+=(const Change& other) {
@@ -130,7 +131,7 @@ bool centred(const ColumnSums& sensor, double factor) {
   return best > 0 && std::abs(std::log(best)) < tolerance(factor, shape);
 }
 
-double relative_rms(const std::array<ColumnSums, 3>& sensors) {
+double relative_rms(const std::array<ColumnSums, sensors>& sensors) {
   double left = 0, measured = 0;
   for (const ColumnSums& one : sensors) left += one.difference(), measured += one.measured;
   return std::sqrt(left / measured);
@@ -345,8 +346,24 @@ std::optional<SuspectedConvention> suspected_convention(const Study& study) {
   return doubt;
 }
 
+namespace {
+
+/// \throws Error with the question where the readings of an arm agree with it after a slip is mended
+void require_no_slip(const Study& study) {
+  const std::optional<SuspectedSlip> doubt = suspected_slip(study);
+  if (!doubt) return;
+  throw Error(
+      study.experiment().name,
+      fmt::format("readings in which {} (the places are then off by {} of the reach, instead of {})",
+                  doubt->looks_like, percent(doubt->left), percent(doubt->as_read)),
+      "places near those of the nominal arm: if it is so, write " + doubt->remedy + "; if not, pass --as-is");
+}
+
+}  // namespace
+
 void require_conventions(const Study& study) {
   require_no_stuck_channel(study);
+  if (study.experiment().arm) return require_no_slip(study);
   const std::optional<SuspectedConvention> doubt = suspected_convention(study);
   if (!doubt) return;
   std::string where = study.experiment().name + ", ";

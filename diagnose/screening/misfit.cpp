@@ -25,6 +25,7 @@ ColumnSums compare(const Channel& channel, const Run& run, const Trace& predicte
 double unloaded_value(const Channel& channel, const Vector2& end, const std::vector<double>& rest) {
   switch (channel.name) {
     case Channel::Name::x:
+    case Channel::Name::angle:
       return end.x();
     case Channel::Name::y:
       return end.y();

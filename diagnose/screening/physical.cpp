@@ -11,6 +11,7 @@
 #include <plumbline/chain/kinematics.hpp>
 
 #include "diagnose/bench/conversion.hpp"
+#include "diagnose/rig/history.hpp"
 
 namespace plumbline::diagnose {
 namespace {
@@ -94,8 +95,11 @@ void require_reach(const Experiment& experiment, const Run& run, const Reach<dou
       distance > limits.largest
           ? "at most the length of the chain, " + metres(limits.largest)
           : "at least " + metres(limits.smallest) + ", what the links reach when folded";
+  const std::string looks_like = as_if(experiment, run);
   throw Error(place(run, *r), "an end point " + metres(distance) + " from the base",
-              expected + as_if(experiment, run));
+              expected + (looks_like.empty() ? "; x and y count from joint 1: where it lies elsewhere, "
+                                               "columns.x.zero and columns.y.zero say where"
+                                             : looks_like));
 }
 
 /// \throws Error for joint angles in degrees, in another order or of another chain: no effect moves the end point of
@@ -109,12 +113,19 @@ void require_geometry(const Experiment& experiment, const Run& run, const Reach<
                 "joint angles of this chain, relative and in radians" + as_if(experiment, run));
 }
 
+/// The key of an arm's noise.
+std::string noise_key(const Channel& channel) {
+  if (channel.name == Channel::Name::drive) return "torque";
+  return channel.name == Channel::Name::place ? "place" : "turn";
+}
+
 void require_noise(const Run& run, const Noise& noise) {
   for (const Channel& channel : run.measured()) {
     const bool read = std::any_of(run.readings.begin(), run.readings.end(),
                                   [&](const Reading& r) { return !std::isnan(channel.of(r)); });
     if (!read || channel.sigma(noise) > 0) continue;
-    const std::string name = channel.sensor() == Sensor::angle ? "q" : channel.label();
+    const bool of_arm = channel.name >= Channel::Name::place;
+    const std::string name = of_arm ? noise_key(channel) : label(channel.name);
     throw Error("noise." + name, "0, or nothing", "a positive figure: run \"" + run.id + "\" measures it");
   }
 }
@@ -143,6 +154,10 @@ void require_resolved(const Experiment& experiment, double reach) {
   const Noise& noise = experiment.noise;
   constexpr const char *reaching = "the length of the chain",
                        *turns = "the force that turns a joint by a radian";
+  if (experiment.alone == Alone::turns) {
+    require("angle", noise.x, size.x, "a radian"), require("torque", noise.Fx, size.Fx, "that of a radian");
+    return;
+  }
   require("x", noise.x, size.x, reaching), require("y", noise.y, size.y, reaching);
   require("Fx", noise.Fx, size.Fx, turns), require("Fy", noise.Fy, size.Fy, turns);
   require("q", noise.q, size.q, "a radian");
@@ -158,10 +173,15 @@ std::size_t measured_values(const Run& run) {
 
 /// A channel with a noise is measured, and there must be one.
 void require_anything_measured(const Run& run, const Noise& noise) {
-  const bool force = noise.Fx > 0 || noise.Fy > 0, position = noise.x > 0 || noise.y > 0;
-  if (noise.q > 0 || (run.holds_end_point() ? force : position)) return;
+  std::vector<Channel> measured = run.answering();
+  if (run.alone == Alone::no) measured.push_back({Channel::Name::q});
+  std::string names;
+  for (const Channel& one : measured) {
+    if (one.sigma(noise) > 0) return;
+    names += (names.empty() ? "" : one == measured.back() ? " or " : ", ") + label(one.name);
+  }
   throw Error("noise", "no figure for anything that run \"" + run.id + "\" measures",
-              run.holds_end_point() ? "a positive one for Fx, Fy or q" : "a positive one for x, y or q");
+              "a positive one for " + names);
 }
 
 /// A rest angle of thousands of turns, also in degrees: its sine would be rounding.
@@ -177,6 +197,22 @@ void require_turns(const Run& run) {
   for (std::size_t r = 0; r < run.readings.size(); ++r) require(place(run, r), run.readings[r].rest);
 }
 
+/// \throws Error for commands that are more than turns of a joint can be, most likely degrees
+void require_arm(const Experiment& experiment) {
+  const NominalArm& nominal = *experiment.arm;
+  if (nominal.arm.size() > most_arm_joints)
+    throw Error("arm", std::to_string(nominal.arm.size()) + " joints",
+                std::to_string(most_arm_joints) + " at most");
+  constexpr double most = 20;  // rad: three turns, and some
+  for (const Run& run : experiment.runs)
+    for (std::size_t r = 0; r < run.readings.size(); ++r)
+      for (std::size_t j = 0; j < nominal.arm.size(); ++j)
+        if (const double q = run.readings[r].rest[j];
+            nominal.arm.links[j].kind == JointKind::revolute && std::abs(q) > most)
+          throw Error(place(run, r), fmt::format("a command of {:.4g} rad to {}", q, nominal.joint[j]),
+                      "at most 20 rad; if these are degrees, units.angle = \"deg\"");
+}
+
 void require_chain(const Experiment& experiment) {
   const auto passive = std::count(experiment.joint_stiffness.begin(), experiment.joint_stiffness.end(), 0.0);
   if (passive > 2)
@@ -186,23 +222,28 @@ void require_chain(const Experiment& experiment) {
   require_resolved(experiment, limits.largest);
   for (const Run& run : experiment.runs) {
     require_turns(run);
-    require_reach(experiment, run, limits);
+    if (experiment.alone == Alone::no) require_reach(experiment, run, limits);
   }
 }
 
 }  // namespace
 
 void require_bench(const Experiment& bench) {
+  if (bench.arm)
+    throw Error("experiment \"" + bench.name + "\"", "an arm in space",
+                "a chain in the plane: arms are not planned");
   require_chain(bench);
   for (const Run& run : bench.runs) require_anything_measured(run, bench.noise);
 }
 
 void require_physical(const Experiment& experiment) {
-  require_chain(experiment);
-  const Reach<double> limits = reach(experiment.link_length);
+  if (experiment.arm)
+    require_arm(experiment);
+  else
+    require_chain(experiment);
   std::size_t values = 0;
   for (const Run& run : experiment.runs) {
-    require_geometry(experiment, run, limits);
+    if (!experiment.arm) require_geometry(experiment, run, reach(experiment.link_length));
     require_noise(run, experiment.noise);
     values += measured_values(run);
   }

@@ -91,6 +91,7 @@ def page(path):
     def change(text):
         text = re.sub(r"^(#+) (.*)$", heading, text, flags=re.M)
         text = CODE.sub(code, text)
+        text = re.sub(r"\[@(\w+)\]", r"[\\@\1]", text)  # a citation is no command of Doxygen's
         text = re.sub(r"!\[([^\]]*)\]\(([^)]+)\)", lambda m: f'<img src="{copied((path.parent / m[2]).resolve())}" alt="{m[1]}"/>', text)
         return LINK.sub(lambda match: linked(path, match[1], match[2]), text)
 

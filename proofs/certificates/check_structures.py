@@ -21,7 +21,7 @@ class Support:
         return self.along.held or self.along.spring > 0
 
 def inertia(rows):
-    """Negative and positive eigenvalues of a symmetric matrix, a dictionary a row, by congruence: Sylvester's law."""
+    """Negative and positive eigenvalues of a symmetric matrix of fractions, a dictionary a row, by congruence: Sylvester's law."""
     negative = positive = 0
     rows = [dict(row) for row in rows]
     for i in range(len(rows)):

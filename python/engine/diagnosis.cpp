@@ -8,6 +8,7 @@
 #include "diagnose/bench/read_experiment.hpp"
 #include "diagnose/exchange/corrected.hpp"
 #include "diagnose/exchange/read_model.hpp"
+#include "diagnose/report/plan.hpp"
 #include "diagnose/report/report.hpp"
 #include "diagnose/report/view.hpp"
 #include "diagnose/rig/user_effects/read_effects.hpp"
@@ -87,16 +88,19 @@ std::optional<NominalChain> model_of(const std::string& file) {
   return exchange::read_model(file).chain;
 }
 
+/// \param read_with  one of the readers of experiments in memory
+template <class Read>
 Experiment experiment_of(const py::dict& settings, const std::vector<Samples>& samples,
-                         const std::string& model) {
+                         const std::string& model, const Read& read_with) {
   const std::optional<NominalChain> nominal = model_of(model);
   const toml::table table = as_toml(settings);
   std::size_t run = 0;
-  const diagnose::ReadTable read = [&](const diagnose::Section& section, const diagnose::SampleFormat&) {
+  const diagnose::ReadParts read = [&](const diagnose::Section& section,
+                                       const diagnose::SampleFormat& format) {
     const std::string source = "samples of run \"" + section.text("id", "a name") + "\"";
-    return diagnose::NamedTable{source, table_of_columns(samples.at(run++))};
+    return std::vector<diagnose::SamplePart>{{source, table_of_columns(samples.at(run++)), format}};
   };
-  return diagnose::read_experiment(table, "experiment", read, nominal ? &*nominal : nullptr);
+  return read_with(table, "experiment", read, nominal ? &*nominal : nullptr);
 }
 
 /// How the diagnosis is to be made.
@@ -106,19 +110,30 @@ struct Wish {
   py::object progress;  ///< called with the share that is done; or none
 };
 
+/// \param effects  a file; or empty
+Study study_with(Experiment experiment, const std::string& effects) {
+  const auto stated = effects.empty() ? std::vector<diagnose::StatedEffect>{}
+                                      : diagnose::read_effects(effects, experiment.covariates);
+  return diagnose::study_with(decimated(std::move(experiment)), stated);
+}
+
+/// Hands the share that is done to Python, whose interrupts end the work.
+auto reporting(const py::object& progress) {
+  return [&progress](double share) {
+    const py::gil_scoped_acquire locked;
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+    if (!progress.is_none()) progress(share);
+  };
+}
+
 /// A diagnosis and what it is about.
 class Diagnosed {
  public:
   /// \param model  the file that the nominal chain was read from; or empty
   Diagnosed(Experiment experiment, const Wish& wish, page::Provenance from, std::string model)
       : from_(std::move(from)), model_(std::move(model)), study_(study_of(std::move(experiment), wish)) {
-    const auto report = [&](double share) {
-      const py::gil_scoped_acquire locked;
-      if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-      if (!wish.progress.is_none()) wish.progress(share);
-    };
     const py::gil_scoped_release released;
-    diagnosis_ = diagnose::diagnose(*study_, report, wish.next);
+    diagnosis_ = diagnose::diagnose(*study_, reporting(wish.progress), wish.next);
   }
 
   [[nodiscard]] std::string json() const { return page::json_text(as_json(*diagnosis_), from_); }
@@ -169,9 +184,7 @@ class Diagnosed {
  private:
   static std::unique_ptr<Study> study_of(Experiment experiment, const Wish& wish) {
     const py::gil_scoped_release released;
-    const auto stated =
-        wish.effects.empty() ? std::vector<diagnose::StatedEffect>{} : diagnose::read_effects(wish.effects);
-    auto study = std::make_unique<Study>(diagnose::study_with(decimated(std::move(experiment)), stated));
+    auto study = std::make_unique<Study>(study_with(std::move(experiment), wish.effects));
     if (!wish.as_is) require_conventions(*study);
     return study;
   }
@@ -183,8 +196,9 @@ class Diagnosed {
 };
 
 /// Of arrays the digest is that of their decimals.
-page::Provenance provenance(const py::dict& settings, const std::vector<Samples>& samples,
-                            const std::string& model, const std::string& effects) {
+page::Provenance provenance(const char* function, const py::dict& settings,
+                            const std::vector<Samples>& samples, const std::string& model,
+                            const std::string& effects) {
   std::ostringstream text;
   text << as_toml(settings);
   for (const Samples& run : samples)
@@ -195,7 +209,7 @@ page::Provenance provenance(const py::dict& settings, const std::vector<Samples>
     }
   for (const std::string& file : {model, effects})
     if (!file.empty()) text << "\n" << files::sha256(std::vector<std::filesystem::path>{file});
-  return {program, "plumbline.diagnose(…)", files::sha256(text.str())};
+  return {program, fmt::format("plumbline.{}(…)", function), files::sha256(text.str())};
 }
 
 page::Provenance provenance(const std::string& folder, const std::string& model, const std::string& effects) {
@@ -208,6 +222,18 @@ page::Provenance provenance(const std::string& folder, const std::string& model,
 Experiment experiment_in(const std::string& folder, const std::string& model) {
   const std::optional<NominalChain> nominal = model_of(model);
   return diagnose::read_experiment(folder, nominal ? &*nominal : nullptr);
+}
+
+/// \param samples  of those runs alone whose settings have the key `samples`
+std::string plan(const py::dict& settings, const std::vector<Samples>& samples, const std::string& model,
+                 const std::string& effects, const py::object& progress) {
+  const page::Provenance from = provenance("plan", settings, samples, model, effects);
+  Experiment bench = experiment_of(settings, samples, model,
+                                   [](const auto&... given) { return diagnose::read_plan(given...); });
+  return unlocked([&] {
+    const Experiment studied = study_with(std::move(bench), effects).experiment();
+    return page::json_text(as_json(diagnose::plan(studied, reporting(progress))), from);
+  });
 }
 
 }  // namespace
@@ -224,12 +250,16 @@ void add_diagnosis(py::module_& module) {
       "diagnose",
       [](const py::dict& settings, const std::vector<Samples>& samples, const std::string& model,
          std::string effects, bool next, bool as_is, py::object progress) {
-        page::Provenance from = provenance(settings, samples, model, effects);
-        return std::make_unique<Diagnosed>(experiment_of(settings, samples, model),
+        page::Provenance from = provenance("diagnose", settings, samples, model, effects);
+        Experiment experiment = experiment_of(settings, samples, model, [](const auto&... given) {
+          return diagnose::read_experiment(given...);
+        });
+        return std::make_unique<Diagnosed>(std::move(experiment),
                                            Wish{std::move(effects), next, as_is, std::move(progress)},
                                            std::move(from), model);
       },
       "settings"_a, "samples"_a, py::kw_only(), "model"_a, "effects"_a, "next"_a, "as_is"_a, "progress"_a);
+  module.def("plan", &plan, "settings"_a, "samples"_a, py::kw_only(), "model"_a, "effects"_a, "progress"_a);
   module.def(
       "diagnose_folder",
       [](const std::string& folder, const std::string& model, std::string effects, bool next, bool as_is,

@@ -1,11 +1,11 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "proofs/census/found_equilibria.hpp"
+#include "proofs/certificates/equilibria_certificate.hpp"
+#include "proofs/certificates/path_certificate.hpp"
 #include "proofs/exact/certain_digits.hpp"
 #include "proofs/exact/decimal.hpp"
-#include "proofs/certificates/equilibria_certificate.hpp"
-#include "proofs/census/found_equilibria.hpp"
-#include "proofs/certificates/path_certificate.hpp"
 #include "proofs/paths/path_load.hpp"
 #include "python/engine/engine.hpp"
 

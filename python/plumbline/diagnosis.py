@@ -173,25 +173,39 @@ def diagnose(nominal: Mapping[str, Any] | NominalChain | Model, runs: Sequence[M
         terminal
     :raises Error: for what the format refuses, with the key or the run and reading
     """
-    settings: dict[str, Any] = {"format": "chain-experiment/1", "name": name, "noise": noise,
-                                "columns": columns if columns is not None else {}}
-    for key, value in (("bench", bench), ("units", units)):
-        if value is not None:
-            settings[key] = value
-    if isinstance(nominal, NominalChain):
-        nominal = nominal.settings()
-    if isinstance(nominal, Mapping):
-        settings["nominal"] = nominal
-    settings["run"] = []
+    settings = _settings(nominal, runs, noise, bench, units, columns, name)
     samples = []
-    for number, run in enumerate(runs, 1):
-        if not isinstance(run, Mapping) or "samples" not in run:
-            raise Error(f"experiment: run[{number}].samples: found no such key, expected columns of readings")
-        settings["run"].append({key: value for key, value in run.items() if key != "samples"})
-        samples.append(_columns(run["samples"], f"experiment: run[{number}].samples"))
-    model = ModelFile(None if isinstance(nominal, Mapping) else nominal)
+    for number, run in enumerate(settings["run"], 1):
+        place = f"experiment: run[{number}].samples"
+        if "samples" not in run:
+            raise Error(f"{place}: found no such key, expected columns of readings")
+        samples.append(_columns(run.pop("samples"), place))
+    model = ModelFile(None if "nominal" in settings else nominal)
     return Diagnosis(_engine.diagnose(_plain(settings), samples, model=model.path, effects=_file(effects), next=next,
                                       as_is=as_is, progress=shown(progress)), model)
+
+
+def plan(nominal: Mapping[str, Any] | NominalChain | Model, runs: Sequence[Mapping[str, Any]], *,
+         noise: Mapping[str, float], bench: Mapping[str, Any] | None = None, units: Mapping[str, str] | None = None,
+         columns: Mapping[str, Any] | None = None, name: str = "bench", effects: PathLike | None = None,
+         progress: Progress = True) -> dict[str, Any]:
+    """Before any data: which effects a bench cannot detect, which it cannot distinguish, and the fewest runs that
+    distinguish the rest, as `plumbline diagnose --plan --json` says it (docs/plan.md).
+
+    :param runs: as for `diagnose`. One without `samples` says in which way the bench can work, by its control and rest
+        shape; of samples the commands count, and no measured value is needed
+    :raises Error: as `diagnose`
+    """
+    settings = _settings(nominal, runs, noise, bench, units, columns, name)
+    samples = []
+    for number, run in enumerate(settings["run"], 1):
+        if "samples" in run:
+            samples.append(_columns(run["samples"], f"experiment: run[{number}].samples"))
+            run["samples"] = "in memory"
+    model = ModelFile(None if "nominal" in settings else nominal)
+    found: dict[str, Any] = json.loads(_engine.plan(_plain(settings), samples, model=model.path, effects=_file(effects),
+                                                    progress=shown(progress)))
+    return found
 
 
 def diagnose_folder(folder: PathLike, *, model: Model | None = None, effects: PathLike | None = None,
@@ -204,6 +218,26 @@ def diagnose_folder(folder: PathLike, *, model: Model | None = None, effects: Pa
     file = ModelFile(model)
     return Diagnosis(_engine.diagnose_folder(os.fspath(folder), model=file.path, effects=_file(effects), next=next,
                                              as_is=as_is, progress=shown(progress)), file)
+
+
+def _settings(nominal: Mapping[str, Any] | NominalChain | Model, runs: Sequence[Mapping[str, Any]],
+                noise: Mapping[str, float], bench: Mapping[str, Any] | None, units: Mapping[str, str] | None,
+                columns: Mapping[str, Any] | None, name: str) -> dict[str, Any]:
+    """The keys of experiment.toml; `nominal` is not among them where it is a file."""
+    settings: dict[str, Any] = {"format": "chain-experiment/1", "name": name, "noise": noise,
+                                "columns": columns if columns is not None else {}}
+    for key, value in (("bench", bench), ("units", units)):
+        if value is not None:
+            settings[key] = value
+    if isinstance(nominal, NominalChain):
+        nominal = nominal.settings()
+    if isinstance(nominal, Mapping):
+        settings["nominal"] = nominal
+    for number, run in enumerate(runs, 1):
+        if not isinstance(run, Mapping):
+            raise Error(f"experiment: run[{number}]: found {type(run).__name__}, expected keys and values")
+    settings["run"] = [dict(run) for run in runs]
+    return settings
 
 
 def _file(path: PathLike | None) -> str:

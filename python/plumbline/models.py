@@ -11,6 +11,7 @@ from typing import Any, NamedTuple, Union
 from plumbline import _engine
 from plumbline._engine import Error
 from plumbline.numbers import Floats
+from plumbline.spreadsheets import is_workbook, sheet_as_csv
 
 PathLike = Union[str, "os.PathLike[str]"]
 #: A file (MJCF, URDF, SDF or our TOML), or a specification of MuJoCo's own (`mujoco.MjSpec`).
@@ -101,17 +102,24 @@ class Draft:
 
 
 def draft(model: Model, tables: Mapping[str, Any] | Sequence[PathLike], *, name: str = "experiment",
-          joints: Sequence[str] = ()) -> Draft:
+          joints: Sequence[str] = (), sheet: str | None = None) -> Draft:
     """Guesses an experiment out of tables as labs have them, as `plumbline new` does: delimiter, header, columns, units,
     signs, runs; every guess comes with its reason.
 
-    :param tables: files, or DataFrames by a name each
+    :param tables: files, workbooks (.xlsx) among them, or DataFrames by a name each
+    :param sheet: of the workbooks, where they have several
     :raises Error: where a table cannot be read at all, or no column of it can be told
     """
     if isinstance(tables, Mapping):
         texts = [(title if "." in title else f"{title}.csv", table.to_csv(index=False)) for title, table in tables.items()]
     else:
-        texts = [(pathlib.Path(table).name, pathlib.Path(table).read_text(encoding="utf-8-sig")) for table in tables]
+        texts = [_named_text(pathlib.Path(table), sheet) for table in tables]
     file = ModelFile(model)
     found = _engine.draft(name, file.path, list(joints), texts)
     return Draft(found["settings"], found["tables"], [Guess(*guess) for guess in found["guesses"]], found["question"])
+
+
+def _named_text(table: pathlib.Path, sheet: str | None) -> tuple[str, str]:
+    if is_workbook(table):
+        return f"{table.stem}.csv", sheet_as_csv(table, sheet)
+    return table.name, table.read_text(encoding="utf-8-sig")

@@ -8,7 +8,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
 from plumbline._engine import Error
@@ -47,10 +47,13 @@ def run(*words: str | PathLike, allowed: Sequence[int] = (0, 1)) -> str:
     return done.stdout
 
 
-def verify(*, section: str | None = None, claim: str | None = None, precision: int | None = None) -> pandas.DataFrame:
-    """Every claim of the paper, judged: a row each, as `plumbline verify --json` has it."""
+def verify(paper: PathLike | None = None, *, section: str | None = None, claim: str | None = None, precision: int | None = None) -> pandas.DataFrame:
+    """Every claim of the paper, judged: a row each, as `plumbline verify --json` has it.
+
+    :param paper: another paper, by the folder that states its claims (docs/papers.md)
+    """
     import pandas
-    words = ["verify", "--json"]
+    words = ["verify", *([] if paper is None else [os.fspath(paper)]), "--json"]
     for option, value in (("--section", section), ("--claim", claim), ("--precision", precision)):
         if value is not None:
             words += [option, str(value)]
@@ -81,7 +84,37 @@ def check(values: pandas.DataFrame, chains: pandas.DataFrame | None = None) -> d
 def check_experiment(folder: PathLike, *, model: Model | None = None) -> str:
     """What is read from an experiment, in which units, and what looks odd; nothing is fitted."""
     file = ModelFile(model)
-    return run("check-experiment", folder, *(["--model", file.path] if file.path else []))
+    return run("check-experiment", folder, *_given(model=file.path))
+
+
+def plan_folder(folder: PathLike, *, model: Model | None = None, effects: PathLike | None = None) -> dict[str, Any]:
+    """What `plan` says, of the bench in a folder's experiment.toml."""
+    file = ModelFile(model)
+    found: dict[str, Any] = json.loads(run("diagnose", folder, "--plan", "--json", *_given(model=file.path, effects=effects)))
+    return found
+
+
+def diagnose_folders(folders: Iterable[PathLike], *, model: Model | None = None, effects: PathLike | None = None,
+                     reports: PathLike | None = None) -> dict[str, Any]:
+    """Diagnoses many experiments at once: whether the cause is the same, how its parameters scatter, whether they drift,
+    as `plumbline diagnose FOLDER FOLDER … --json` says it (docs/many-experiments.md). One that is refused is named with
+    its reason and stops no other.
+
+    :param folders: two or more
+    :param reports: a folder in which the report and the page of each are kept, and interrupted work continues
+    """
+    folders = list(folders)
+    if len(folders) < 2:
+        raise Error(f"diagnose_folders: found {len(folders)} folders, expected two or more: diagnose_folder takes one")
+    file = ModelFile(model)
+    found: dict[str, Any] = json.loads(run("diagnose", *folders, "--json", "-",
+                                           *_given(model=file.path, effects=effects, reports=reports)))
+    return found
+
+
+def _given(**options: PathLike | None) -> list[str | PathLike]:
+    """The options that are given, as words."""
+    return [word for name, value in options.items() if value for word in (f"--{name}", value)]
 
 
 def figure(number: int) -> str:

@@ -1,18 +1,25 @@
-"""The straight chain with any ends, supports and loads, in the plane or in space."""
+"""Chains with any ends, supports and loads, in the plane or in space."""
 from __future__ import annotations
 
 import decimal
+import io
 import json
+import pathlib
+import tempfile
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from typing import Any, Union
+from typing import TYPE_CHECKING, Any, Literal, Union
 
 import numpy as np
 import numpy.typing as npt
 
 from plumbline import _engine
 from plumbline.numbers import at_most, converted, decimal_text
+from plumbline.program import run
 from plumbline.straight import _digits
+
+if TYPE_CHECKING:
+    import pandas
 
 #: The keys of a chain file (docs/chain-format.md) with their values, or the text of such a file.
 Chain = Union[Mapping[str, Any], str]
@@ -73,6 +80,46 @@ def structure_certificate(chain: Chain, *, digits: int = 15, lowest: int | None 
     text = _text(chain)
     command = f"plumbline.structure_certificate({text!r}, digits={digits}, lowest={lowest}, name={name!r})"
     return _engine.structure_certificate(name, text, at_most(lowest), _digits(digits, 10000), command)
+
+
+def structure_path(chain: Chain, *, factor: float = 1.0, branches: Literal["stable", "all"] = "stable",
+                   side: Literal[1, -1] = 1, step: float = 0.005) -> pandas.DataFrame:
+    """The way of a chain as its loads grow from zero to `factor` times what the chain says: a row a point.
+
+    :param branches: "stable", what a slowly loaded chain does, jumps included; "all" that hang together with it
+    :param side: where a symmetric chain buckles, the side it leaves to
+    :param step: longest way between points: root mean square turn of the links, in radians
+    :returns: by branch and point: factor, x, y, z of the end point, energy, negative_directions (0 is stable), event,
+        joint angles q1, q2, …
+    :raises Error: for a wrong chain, and for loads that do not act on it
+    """
+    import pandas
+    table = _with_file(chain, "path", "--csv", "--factor", repr(float(factor)), "--branches", branches, "--side", str(side),
+                       "--step", repr(float(step)))
+    return pandas.read_csv(io.StringIO(table)).set_index(["branch", "point"])
+
+
+def structure_equilibria(chain: Chain, *, factor: float = 1.0, certify: bool = False) -> pandas.DataFrame:
+    """The equilibria of a chain under `factor` times its loads: a row each, with the joint angles in `q`.
+
+    :param certify: whether the list is proved to be complete; numbers are then decimals in text, every digit of them right
+    :returns: with `attrs`: chain, case, factor, complete, and of a proof the window
+    :raises Error: for a wrong chain
+    """
+    import pandas
+    found = json.loads(_with_file(chain, "equilibria", "--json", "--factor", repr(float(factor)),
+                                  *(["--certify"] if certify else [])))
+    table = pandas.DataFrame(found.pop("equilibria"))
+    table.attrs.update(found)
+    return table
+
+
+def _with_file(chain: Chain, verb: str, *words: str) -> str:
+    """What the program says of the chain, written to a file for it."""
+    with tempfile.TemporaryDirectory() as folder:
+        file = pathlib.Path(folder, "chain.toml")
+        file.write_text(_text(chain), encoding="utf-8")
+        return run(verb, file, *words)
 
 
 def _text(chain: Chain) -> str:

@@ -102,3 +102,30 @@ def test_fifty_digits_are_the_reference_values():
             assert loss.kind == entry["kind"]
             factors = [loss.factor]
         assert factors == entry["factor"], entry["structure"]
+
+
+UPRIGHT = {"lengths": [1, 1, 1], "stiffness": [2, 1, 1], "end_point": "free", "loads": [{"weight": 1}]}
+
+
+def test_a_column_under_its_weight_leaves_the_line_where_it_buckles():
+    pytest.importorskip("pandas")
+    way = plumbline.structure_path(UPRIGHT, factor=0.4)
+    assert list(way.columns[:3]) == ["factor", "x", "y"] and way["factor"].iloc[-1] == 0.4
+    assert (way["negative_directions"] == 0).all()
+    buckled = way[way["y"].abs() > 1e-6]
+    assert buckled["factor"].min() >= float(plumbline.critical_factors(UPRIGHT, lowest=1)[0]) - 1e-9
+    other = plumbline.structure_path(UPRIGHT, factor=0.4, side=-1)
+    assert other["y"].iloc[-1] == pytest.approx(-way["y"].iloc[-1], rel=1e-9)
+
+
+def test_a_proved_list_of_equilibria_is_complete():
+    pytest.importorskip("pandas")
+    sampled, proved = plumbline.structure_equilibria(UPRIGHT, factor=0.4), plumbline.structure_equilibria(UPRIGHT, factor=0.4, certify=True)
+    assert len(sampled) == len(proved) == 3  # the line, and what it buckles to on either side
+    assert proved.attrs["complete"] and not sampled.attrs["complete"]
+    np.testing.assert_allclose(sorted(sampled["energy"]), sorted(proved["energy"].astype(float)), rtol=1e-10)
+
+
+def test_a_chain_that_is_none_is_refused_in_one_line():
+    with pytest.raises(plumbline.Error, match="lengths"):
+        plumbline.structure_path({"lengths": [1, -1], "stiffness": [1, 1], "end_point": "free"})

@@ -11,15 +11,26 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The names in `samples`; none where the file is not one that the diagnosis can read, which it will say.
+/// The names in `samples`: one, or a list of names and of tables with a key `file`.
+void add_names(const toml::node_view<const toml::node>& samples, std::vector<std::string>& names) {
+  if (const auto name = samples.value<std::string>()) names.push_back(*name);
+  const toml::array* parts = samples.as_array();
+  for (std::size_t i = 0; parts != nullptr && i < parts->size(); ++i) {
+    const toml::table* const part = parts->get(i)->as_table();
+    const auto name =
+        part != nullptr ? (*part)["file"].value<std::string>() : parts->get(i)->value<std::string>();
+    if (name) names.push_back(*name);
+  }
+}
+
+/// All names of sample files; none where the file is not one that the diagnosis can read, which it will say.
 std::vector<std::string> sample_names(const fs::path& settings) {
   std::vector<std::string> names;
   try {
     const toml::table table = parse_toml(read_text(settings), settings.string());
     const toml::array* runs = table["run"].as_array();
     for (std::size_t i = 0; runs != nullptr && i < runs->size(); ++i)
-      if (const toml::table* run = runs->get(i)->as_table())
-        if (const auto name = (*run)["samples"].value<std::string>()) names.push_back(*name);
+      if (const toml::table* run = runs->get(i)->as_table()) add_names((*run)["samples"], names);
   } catch (const Error&) {
     return {};
   }

@@ -49,6 +49,8 @@ TEST_CASE("the bad chain files are refused in one line that says where, what and
       {"lengths = [1, nan]\nstiffness = [1, 1]", "bad.toml:1: lengths, entry 2", "nan", "a decimal number"},
       {"lengths = [1, inf]\nstiffness = [1, 1]", "bad.toml:1: lengths, entry 2", "inf", "a decimal number"},
       {"lengths = [1, 'x']\nstiffness = [1, 1]", "bad.toml:1: lengths, entry 2", "x", "a decimal number"},
+      {"lengths = [1, 1e999999999]\nstiffness = [1, 1]", "bad.toml:1: lengths, entry 2", "1e999999999",
+       "an exponent from -100000 to 100000"},
       {"lengths = [1, 1]\nstiffness = [1, -1e-400]", "stiffness, entry 2", "negative",
        "zero (passive) or positive"},
       {"lengths = [1, 1]\nstiffness = [1]", "stiffness", "1 values", "one per link, 2"},

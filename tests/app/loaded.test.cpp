@@ -125,6 +125,19 @@ TEST_CASE("equilibria: digits that are certain, a passive base by full turns, an
   CHECK(nlohmann::json::parse(continuum.out)["equilibria"].size() <= 1000);
 }
 
+TEST_CASE("a pair of values takes two of them, wherever the file stands") {
+  const Workplace here;
+  here.write("sprung.toml", "lengths = [1, 1, 1]\nstiffness = [1, 1, 1]\nrest = [-0.1, 0.3, -0.3]\n");
+  for (const std::string pair :
+       {"equilibria --at 0.05,0", "equilibria --force -0.1,0", "path --force -0.1,0"}) {
+    CAPTURE(pair);
+    const Outcome after = here.plumbline(pair + " sprung.toml");
+    const std::string verb = pair.substr(0, pair.find(' '));
+    CHECK(after.status == 0);
+    CHECK(after.out == here.plumbline(verb + " sprung.toml" + pair.substr(verb.size())).out);
+  }
+}
+
 TEST_CASE("loads that cannot be are refused in one line") {
   const Workplace here;
   here.write("zigzag.toml", zigzag);

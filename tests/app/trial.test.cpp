@@ -22,7 +22,7 @@ TEST_CASE("own experiments are diagnosed and scored") {
   const Workplace here;
   add_example(here);
   here.write("mine/bench/label.json", friction);
-  const Outcome outcome = here.plumbline("trial --experiments mine --json result.json");
+  const Outcome outcome = here.plumbline("trial --experiments mine --patience 3000 --json result.json");
   CHECK(outcome.status == 0);
   CHECK(contains(outcome.out, "The labels were not sealed"));
   const auto result = nlohmann::json::parse(here.read("result.json"));
@@ -40,12 +40,12 @@ TEST_CASE("a sealed label is verified, a forged one detected") {
   const std::string digest = here.read("digest").substr(0, 64);
   here.write("mine/seals.json", R"({"format": "experiment-seals/1", "seals": {"bench": ")" + digest + "\"}}");
   here.write("mine/labels/bench.json", R"({"salt": "salt", "label": "{\"effects\": []}"})");
-  const Outcome honest = here.plumbline("trial --experiments mine");
+  const Outcome honest = here.plumbline("trial --experiments mine --patience 3000");
   CHECK(honest.status == 0);
   CHECK(contains(honest.out, "every seal holds"));
   CHECK(contains(honest.out, "false alarm"));
   here.write("mine/labels/bench.json", R"({"salt": "salt", "label": "{\"effects\": [ ]}"})");
-  const Outcome forged = here.plumbline("trial --experiments mine");
+  const Outcome forged = here.plumbline("trial --experiments mine --patience 3000");
   CHECK(forged.status == 1);
   CHECK(contains(forged.out, "1 DO NOT HOLD"));
   CHECK(contains(forged.out, "broken seal"));

@@ -45,16 +45,17 @@ EXPERIMENT = {
     "bench": {"gravity_plane": "vertical", "gravity_direction": [0.0, -1.0]},
     "noise": {"x": 0.001, "y": 0.001, "Fx": 0.02, "Fy": 0.02, "q": 0.001},
     "units": {"link_length": "m", "joint_stiffness": "N m/rad", "link_mass": "kg", "gravity": "m/s^2", "rest": "rad"},
-    "csv": {"delimiter": ",", "decimal": ".", "header": True, "skip_lines": 0, "skip_after_header": 0, "comment": "#",
+    "csv": {"delimiter": ",", "decimal": ".", "header": True, "transposed": False, "skip_lines": 0, "skip_after_header": 0, "comment": "#",
             "missing": ["NaN"]},
     "columns": {"t": "t", "x": "x", "y": 3, "Fx": {"column": "Fx", "unit": "N", "sign": 1, "zero": 0},
                 "Fy": {"constant": 0}, "q": {"column": ["q1", 7], "unit": "rad", "sign": [1, 1], "zero": [0, 0],
                                              "absolute": False},
-                "q_command": {"column": ["c1", "c2"], "unit": "rad", "sign": -1, "zero": [0, 0], "absolute": False}},
+                "q_command": {"column": ["c1", "c2"], "unit": "rad", "sign": -1, "zero": [0, 0], "absolute": False},
+                "covariate": {"temperature": {"column": "T", "sign": 1, "zero": 20}}},
     "run": [{"id": "press", "control": "displacement", "begins": "relaxed", "loaded_by": "servo", "rest": [0.4, -0.9], "samples": "press.csv",
              "csv": {"decimal": "."}, "columns": {"Fx": {"zero": "first"}, "q": ["q1", "q2"]}}],
 }
-SAMPLES = "t,x,y,Fx,Fy,q1,q2\n0,9,0,0,0,0,0\n1,9,0,0,0,0,0\n"
+SAMPLES = "t,x,y,Fx,Fy,q1,q2,T\n0,9,0,0,0,0,0,20\n1,9,0,0,0,0,0,20\n"
 # Where a unit of the kind can stand, and what makes it one.
 UNITS = {"length": ("link_length", ""), "torque": ("joint_stiffness", "/rad"), "mass": ("link_mass", ""),
          "angle": ("rest", ""), "force": ("joint_stiffness", " m/rad"), "time": ("gravity", "^2")}
@@ -99,7 +100,7 @@ def experiments(folder):
         known = re.search(r"an unknown key, expected one of (.*)", fault)
         assert known and set(known[1].split()) == named, f"{heading}: the document names {named}; {fault}"
         for key in named:
-            without = changed(heading, lambda table, key=key: table.pop(key))
+            without = changed(heading, lambda table, key=key: table.pop(key, None))
             assert ("no such key" in experiment_fault(folder, without)) == (key in required), f"{heading} {key}"
             assert Draft202012Validator(schema).is_valid(without) == (key not in required), f"schema, {heading} {key}"
         node = {"Top level": schema, **{f"[{name}]": schema["$defs"][name] for name in ("csv", "columns")},
@@ -221,7 +222,7 @@ def user_effects(folder):
         known = re.search(r"expected one of (.*)", fault(changed_file(heading, lambda table: table.update(zz=1))))
         assert known and set(known[1].split()) == named, f"{heading}: the document names {named}; {known}"
         for key in required:
-            without = changed_file(heading, lambda table, key=key: table.pop(key))
+            without = changed_file(heading, lambda table, key=key: table.pop(key, None))
             assert f"{key}: found no" in fault(without), f"{heading} {key}: {fault(without)}"
             assert not validator.is_valid(without), f"schema, {heading} {key}"
     for block in blocks(USER_EFFECTS):

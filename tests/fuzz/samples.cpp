@@ -5,6 +5,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   return offer(bytes, size, [](const std::string& text) {
     using namespace plumbline::diagnose;
     const SampleFormat format = standard_format(2);
-    read_samples(parse_sample_table(text, "f", format), "f", plumbline::Control::end_point, format);
+    read_samples({{"f", parse_sample_table(text, "f", format), format}}, plumbline::Control::end_point);
   });
 }

@@ -124,6 +124,10 @@ TEST_CASE("what cannot be judged is an error, not a verdict") {
   CHECK_THROWS_AS(in_section(all_claims(), "7"), Error);
 }
 
+TEST_CASE("an id that is written otherwise is asked back") {
+  CHECK_THROWS_WITH_AS(with_id(all_claims(), "eq 20"), "--claim: found eq 20, expected eq-20", Error);
+}
+
 TEST_CASE("sections select their claims") {
   CHECK(in_section(all_claims(), "").size() == all_claims().size());
   const auto count = [](const std::string& section) { return in_section(all_claims(), section).size(); };

@@ -76,10 +76,13 @@ std::vector<Claim> in_section(const std::vector<Claim>& claims, const std::strin
 }
 
 std::vector<Claim> with_id(const std::vector<Claim>& claims, const std::string& id) {
+  std::string written = id;  // as ids are: "eq 20" stands for eq-20
+  std::replace_if(
+      written.begin(), written.end(), [](unsigned char c) { return c == ' ' || c == '_'; }, '-');
   std::vector<std::string> alike;
   for (const Claim& claim : claims) {
     if (claim.id == id) return {claim};
-    if (claim.id.find(id) != std::string::npos) alike.push_back(claim.id);
+    if (claim.id.find(written) != std::string::npos) alike.push_back(claim.id);
   }
   throw Error(
       "--claim", id,

@@ -7,38 +7,52 @@
 
 namespace plumbline {
 
-enum class BentEventKind { fold, bifurcation };
+/// The kinds of events on a branch.
+enum class BentEventKind {
+  fold,        ///< the factor turns back
+  bifurcation  ///< another branch crosses this one
+};
 
 /// What happens between two points of a branch.
 template <Number Real>
 struct BentEvent {
-  BentEventKind kind;
+  BentEventKind kind;      ///< fold or bifurcation
   std::size_t before;      ///< the event lies before the point of this number
   BentPoint<Real> point;   ///< where it is
   Vector<Real> direction;  ///< at a bifurcation, in which the structure can move at no change of the factor
 };
 
-enum class BentEnd { factor, closed, stuck, points };
+/// The reasons for which a branch ends.
+enum class BentEnd {
+  factor,  ///< the factor leaves the limits
+  closed,  ///< the branch has come back to its first point
+  stuck,   ///< no step short enough converges
+  points   ///< as many points as the limits allow
+};
 
+/// A branch of equilibria, in the order in which it was followed.
 template <Number Real>
 struct BentBranch {
-  std::vector<BentPoint<Real>> points;
-  std::vector<BentEvent<Real>> events;
-  BentEnd end = BentEnd::points;
+  std::vector<BentPoint<Real>> points;  ///< from the start on
+  std::vector<BentEvent<Real>> events;  ///< between those points
+  BentEnd end = BentEnd::points;        ///< why it goes no further
 };
 
 /// How far a branch is followed, and in what steps.
 template <Number Real>
 struct BentLimits {
-  Real from, to;  ///< factors
+  Real from;  ///< smallest factor
+  Real to;    ///< largest factor
   Real longest =
-      Real(1) / Real(20);  ///< step: root mean square turn of the axes in radians, and share of `to`
-  std::size_t points = 20000;
+      Real(1) / Real(20);      ///< step: root mean square turn of the axes in radians, and share of `to`
+  std::size_t points = 20000;  ///< at most
 };
 
+/// Pseudo-arclength continuation of one model. Dense, O(n^3) a step.
 template <Floating Real>
 class BentTracer {
  public:
+  /// \param model  has to outlive the tracer
   BentTracer(const BentStructure<Real>& model, BentLimits<Real> limits)
       : solver_(model), limits_(std::move(limits)) {}
 
@@ -98,6 +112,7 @@ class BentTracer {
     return result;
   }
 
+  /// The Newton solver of the model.
   BentSolver<Real>& solver() { return solver_; }
 
  private:

@@ -25,26 +25,29 @@ namespace plumbline {
 /// A shape in which a structure is at rest under its loads at a factor.
 template <Number Real>
 struct BentPoint {
-  Real factor;
+  Real factor;                          ///< of the loads that are multiplied
   Vector<Real> x;                       ///< the model's unknowns
   Vector<Real> multiplier;              ///< forces and moments that hold what is held
   std::size_t negative_directions = 0;  ///< in which the energy falls, of those that what is held permits
-  Vector<Real> tangent_x;               ///< of the branch through it; with
-  Vector<Real> tangent_multiplier;
-  Real tangent_factor{0};  ///< of length one in the branch's measure
+  Vector<Real> tangent_x;               ///< change of x along the branch through it
+  Vector<Real> tangent_multiplier;      ///< change of the multipliers
+  Real tangent_factor{0};  ///< change of the factor: together of length one in the branch's measure
 };
 
 /// Newton's method for one model. Dense, O(n^3) a step.
 template <Floating Real>
 class BentSolver {
  public:
+  /// \param model  has to outlive the solver
   explicit BentSolver(const BentStructure<Real>& model) : model_(&model) {}
 
   /// What a change of the unknowns, of the multipliers and of the factor has to satisfy beside the linearised
   /// equations: row . change = right.
   struct Row {
-    Vector<Real> x, multiplier;
-    Real factor, right;
+    Vector<Real> x;           ///< of the unknowns
+    Vector<Real> multiplier;  ///< of the multipliers
+    Real factor;              ///< of the factor
+    Real right;               ///< the sum that the products have to give
   };
   /// A change that keeps the factor.
   [[nodiscard]] Row keep_factor() const {
@@ -134,6 +137,7 @@ class BentSolver {
     return x / x.norm();
   }
 
+  /// The model whose equilibria are found.
   [[nodiscard]] const BentStructure<Real>& model() const { return *model_; }
 
  private:

@@ -17,17 +17,19 @@ namespace plumbline {
 /// What holds a chain in space, and what loads it.
 template <Number Real>
 struct SpaceSetting {
+  /// A point or a vector, x, y, z.
   using Place = Eigen::Matrix<Real, 3, 1>;
   /// One coordinate of one node, against a spring that is slack where the chain rests, or held there.
   struct Hold {
-    std::size_t node;
-    int coordinate;  ///< 0, 1, 2: x, y, z
-    Restraint<Real> restraint;
+    std::size_t node;           ///< from 0, the base
+    int coordinate;             ///< 0, 1, 2: x, y, z
+    Restraint<Real> restraint;  ///< against moving along it
   };
+  /// A force of constant direction.
   struct Force {
-    std::size_t node;
-    Place force;
-    bool multiplied;
+    std::size_t node;  ///< where it acts, from 1
+    Place force;       ///< exerted on the chain, at factor 1
+    bool multiplied;   ///< by the factor; else it is there as it stands
   };
   std::vector<Hold> holds;      ///< of nodes 1 … n
   std::vector<Hold> slides;     ///< of the base: coordinates that are not held there
@@ -50,12 +52,14 @@ struct BentExpansion {
   std::vector<Eigen::Matrix<Real, 3, 1>> place;  ///< of nodes 0 … n
 };
 
+/// A chain with its setting, as a function of its unknowns.
 template <Floating Number_>
 class BentStructure {
  public:
-  using Real = Number_;
-  using Place = Eigen::Matrix<Real, 3, 1>;
+  using Real = Number_;                     ///< the number type
+  using Place = Eigen::Matrix<Real, 3, 1>;  ///< a point or a vector, x, y, z
 
+  /// At rest all springs, those of the supports among them, are slack.
   BentStructure(SpaceChain<Real> chain, SpaceSetting<Real> setting)
       : chain_(std::move(chain)), setting_(std::move(setting)) {
     using std::sqrt;
@@ -98,6 +102,7 @@ class BentStructure {
     for (std::size_t f = 0; f < free_.size(); ++f) q[free_[f]] = x(static_cast<Eigen::Index>(f));
     return q;
   }
+  /// Its links and joints.
   [[nodiscard]] const SpaceChain<Real>& chain() const { return chain_; }
 
   /// Of the shape, under the loads at a factor, with the forces (multipliers) that hold what is held.

@@ -25,8 +25,9 @@ enum class TorqueKind {
 /// K - T S in the unknowns of a pencil without compression.
 template <Number Real>
 struct TorquePencil {
-  Matrix<Real> stiffness, torque;
-  bool conservative;
+  Matrix<Real> stiffness;  ///< K
+  Matrix<Real> torque;     ///< S; symmetric where the torque is conservative
+  bool conservative;       ///< whether the torque has a potential
 };
 
 /// \throws Error for an axis along the chain, or oblique, which a torque twists at once

@@ -28,14 +28,14 @@ struct Axis {
 /// Axes that are turned about one after the other: each is carried by those before it.
 template <Number Real>
 struct SpaceJoint {
-  std::vector<Axis<Real>> axes;
+  std::vector<Axis<Real>> axes;  ///< one to three, the first of them next to the base
 };
 
 /// Links and joints, from the base on; joint i carries link i.
 template <Number Real>
 struct SpaceChain {
-  std::vector<Real> length;
-  std::vector<SpaceJoint<Real>> joint;
+  std::vector<Real> length;             ///< L_1 … L_n
+  std::vector<SpaceJoint<Real>> joint;  ///< joints 1 … n
 
   /// \throws Error that names the place
   SpaceChain(std::vector<Real> lengths, std::vector<SpaceJoint<Real>> joints)

@@ -18,9 +18,11 @@ namespace plumbline {
 /// K - factor G, dense, in the unknowns y, where the axes that bend turn by basis y.
 template <Number Real>
 struct SpacePencil {
-  Matrix<Real> stiffness, load;
+  Matrix<Real> stiffness;         ///< K: springs and fixed loads
+  Matrix<Real> load;              ///< G: loads that the factor multiplies
   Matrix<Real> basis;             ///< a row for each axis that is not along the chain
   std::vector<std::size_t> axis;  ///< the axis of each row, counted over all joints
+  /// The matrix at a factor.
   [[nodiscard]] Matrix<Real> at(const Real& factor) const { return stiffness - factor * load; }
 };
 

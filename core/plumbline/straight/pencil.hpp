@@ -22,6 +22,7 @@ struct StraightPencil {
   Band<Real, 2> load;                 ///< G: loads that the factor multiplies
   std::vector<Eigen::Index> unknown;  ///< of each node, -1 for one that is held
 
+  /// Number of unknowns.
   [[nodiscard]] Eigen::Index size() const { return stiffness.cols(); }
   /// The matrix at a factor.
   [[nodiscard]] Band<Real, 2> at(const Real& factor) const {

@@ -29,6 +29,7 @@ struct StraightChain {
 
   /// With the end point guided, as in the paper.
   StraightChain(const Chain<Real>& guided) : StraightChain(guided, EndPoint::guided) {}  // NOLINT
+  /// With the end point guided or free.
   StraightChain(const Chain<Real>& of, EndPoint end) : chain(of), end_point(end) {}
 
   /// The lever arms z_1 … z_n.

@@ -12,11 +12,12 @@ namespace plumbline {
 /// A structure's string: that of a straight chain whose critical forces are the structure's critical factors.
 template <Number Real>
 struct StringForm {
-  Chain<Real> chain;
-  EndPoint end_point;
+  Chain<Real> chain;   ///< of the string
+  EndPoint end_point;  ///< of that chain
   std::size_t first;   ///< joint of the structure, from 0, that joint 1 of the chain is
   std::size_t joints;  ///< joints of the chain that are joints of the structure; the others do not turn
 
+  /// A view of this form, which has to outlive it.
   [[nodiscard]] StraightChain<Real> straight() const { return {chain, end_point}; }
 };
 

@@ -27,10 +27,10 @@ enum class LoadKind {
 /// A force at a node.
 template <Number Real>
 struct Load {
-  std::size_t node;        ///< from 1; n is the end point
-  Point<Real> force;       ///< exerted on the chain, at load factor 1
-  bool multiplied = true;  ///< by the load factor; else it is there as it stands
-  LoadKind kind = LoadKind::dead;
+  std::size_t node;                ///< from 1; n is the end point
+  Point<Real> force;               ///< exerted on the chain, at load factor 1
+  bool multiplied = true;          ///< by the load factor; else it is there as it stands
+  LoadKind kind = LoadKind::dead;  ///< dead or follower
 };
 
 /// A chain, what holds it and what loads it. Every member may be set; whoever computes with a structure asks
@@ -45,6 +45,7 @@ struct Structure {
   std::vector<Real> mass;                    ///< at nodes 1 … n, for motion; empty where none is given
   Real moment{0};                            ///< at the end point, turning from x to y, multiplied
 
+  /// With the ends of the paper and no load.
   explicit Structure(Chain<Real> of) : chain(std::move(of)) {}
 
   /// A unit force against x at the end point, which the load factor multiplies: the load of the paper.
@@ -130,7 +131,8 @@ Structure<To> from_rational(const Structure<Rational>& structure) {
 /// What compresses each link of the straight chain.
 template <Number Real>
 struct Compression {
-  std::vector<Real> fixed, multiplied;  ///< N_1 … N_n; tension is negative
+  std::vector<Real> fixed;  ///< N_1 … N_n by the loads that are there as they stand; tension is negative
+  std::vector<Real> multiplied;  ///< the same by those that the load factor multiplies, at factor 1
 };
 
 /// The compression of the links of the straight chain under its loads.

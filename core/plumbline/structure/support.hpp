@@ -18,9 +18,10 @@ enum class Hold {
 /// One motion of one place.
 template <Number Real>
 struct Restraint {
-  Hold hold = Hold::free;
-  Real stiffness{0};  ///< of the spring, where there is one
+  Hold hold = Hold::free;  ///< how it is restrained
+  Real stiffness{0};       ///< of the spring, where there is one
 
+  /// The motion is zero.
   static Restraint held() { return {Hold::held, Real(0)}; }
   /// A stiffness of zero is no spring.
   static Restraint sprung(Real stiffness) { return {Hold::sprung, std::move(stiffness)}; }
@@ -28,13 +29,16 @@ struct Restraint {
   [[nodiscard]] bool is_free() const {
     return hold == Hold::free || (hold == Hold::sprung && stiffness == Real(0));
   }
+  /// Whether the motion is zero.
   [[nodiscard]] bool is_held() const { return hold == Hold::held; }
 };
 
 /// What holds an end: along the straight chain, across it, and against turning with the link that ends there.
 template <Number Real>
 struct Support {
-  Restraint<Real> along, across, turn;
+  Restraint<Real> along;   ///< along the straight chain
+  Restraint<Real> across;  ///< across it
+  Restraint<Real> turn;    ///< against turning with the link that ends there
 };
 
 /// The base as in the paper: it does not move, and the spring of joint 1 alone holds the direction of link 1.

@@ -11,7 +11,7 @@ class NoisierRuns final : public NoiseTerm {
   [[nodiscard]] std::optional<NoiseProposal> propose(const NoiseEvidence& evidence) const override {
     std::optional<NoiseProposal> best;
     const std::size_t runs = evidence.experiment.runs.size();
-    for (const Sensor sensor : {Sensor::position, Sensor::force, Sensor::angle})
+    for (const Sensor sensor : all_sensors)
       for (std::size_t r = 0; runs > 1 && r < runs; ++r) {
         if (evidence.shape.is_noisier(r, sensor)) continue;
         Squares own, others;

@@ -27,7 +27,7 @@ std::vector<Squares> cumulated(const NoiseEvidence& evidence, std::size_t run, S
 class NoisierSegments final : public NoiseTerm {
   [[nodiscard]] std::optional<NoiseProposal> propose(const NoiseEvidence& evidence) const override {
     std::optional<NoiseProposal> best;
-    for (const Sensor sensor : {Sensor::position, Sensor::force, Sensor::angle}) {
+    for (const Sensor sensor : all_sensors) {
       Squares all;
       for (const Series& series : evidence.measurements.series())
         for (std::size_t i = series.first;

@@ -15,11 +15,12 @@ double instant(const NoiseEvidence& evidence, Eigen::Index value) {
   return run.counts_readings() ? static_cast<double>(place.reading) : evidence.measurements.time()(value);
 }
 
-/// A sinusoid of one frequency in all readings of a sensor, by the clock: amplitude and phase are each series' own.
+/// A sinusoid of one frequency in all readings of a sensor, by the clock: amplitude and phase are each
+/// series' own.
 class PeriodicInterference final : public NoiseTerm {
   [[nodiscard]] std::optional<NoiseProposal> propose(const NoiseEvidence& evidence) const override {
     std::optional<NoiseProposal> best;
-    for (const Sensor sensor : {Sensor::position, Sensor::force, Sensor::angle}) {
+    for (const Sensor sensor : all_sensors) {
       const bool known = std::any_of(evidence.shape.interference.begin(), evidence.shape.interference.end(),
                                      [&](const Interference& one) { return one.sensor == sensor; });
       if (!known) look_at(evidence, sensor, best);
@@ -35,12 +36,14 @@ class PeriodicInterference final : public NoiseTerm {
     return all;
   }
 
-  static std::complex<double> transform(const NoiseEvidence& evidence, const Series& series, double frequency) {
+  static std::complex<double> transform(const NoiseEvidence& evidence, const Series& series,
+                                        double frequency) {
     std::complex<double> sum = 0;
     for (std::size_t i = series.first; i < series.first + series.readings.size(); ++i) {
       const auto row = static_cast<Eigen::Index>(i);
       if (evidence.weight(row) > 0)
-        sum += evidence.standardised(row) * std::polar(1.0, -2 * std::numbers::pi * frequency * instant(evidence, row));
+        sum += evidence.standardised(row) *
+               std::polar(1.0, -2 * std::numbers::pi * frequency * instant(evidence, row));
     }
     return sum;
   }
@@ -49,7 +52,8 @@ class PeriodicInterference final : public NoiseTerm {
     const std::vector<const Series*> all = series_of(evidence, sensor);
     double longest = 0, pause = std::numeric_limits<double>::infinity(), occam = 0;
     for (const Series* one : all) {
-      const auto first = static_cast<Eigen::Index>(one->first), count = static_cast<Eigen::Index>(one->readings.size());
+      const auto first = static_cast<Eigen::Index>(one->first),
+                 count = static_cast<Eigen::Index>(one->readings.size());
       const double span = instant(evidence, first + count - 1) - instant(evidence, first);
       longest = std::max(longest, span);
       if (span > 0) pause = std::min(pause, span / static_cast<double>(count - 1));
@@ -58,14 +62,17 @@ class PeriodicInterference final : public NoiseTerm {
     if (!(longest > 0)) return;
     // Slower than this it is a trend; faster than half the sampling rate it is an alias.
     const double lowest = 6 / longest, highest = 0.5 / pause, step = 0.25 / longest;
-    const double log_prior = std::log(priors::uneven_noise) - std::log(std::max(1.0, (highest - lowest) / step));
+    const double log_prior =
+        std::log(priors::uneven_noise) - std::log(std::max(1.0, (highest - lowest) / step));
     for (double frequency = lowest; frequency < highest; frequency += step) {
       double gain = 0;
       for (const Series* one : all)
         gain += std::norm(transform(evidence, *one, frequency)) / static_cast<double>(one->readings.size());
       const double log_odds = gain - occam + log_prior;
       if (log_odds <= (best ? best->log_odds : 0)) continue;
-      best = {log_odds, log_prior - occam, [&evidence, sensor, frequency](NoiseShape& shape) { accept(evidence, sensor, frequency, shape); }};
+      best = {log_odds, log_prior - occam, [&evidence, sensor, frequency](NoiseShape& shape) {
+                accept(evidence, sensor, frequency, shape);
+              }};
     }
   }
 
@@ -84,10 +91,12 @@ class PeriodicInterference final : public NoiseTerm {
         shape.periodic(row, before + 2 * static_cast<Eigen::Index>(s) + 1) = std::sin(phase);
       }
       const auto first = static_cast<Eigen::Index>(series.first);
-      const double pause = (instant(evidence, first + static_cast<Eigen::Index>(count) - 1) - instant(evidence, first)) / (count - 1);
-      auto place = std::find_if(shape.interference.begin(), shape.interference.end(), [&](const Interference& one) {
-        return one.run == series.run && one.sensor == sensor;
-      });
+      const double pause =
+          (instant(evidence, first + static_cast<Eigen::Index>(count) - 1) - instant(evidence, first)) /
+          (count - 1);
+      auto place = std::find_if(
+          shape.interference.begin(), shape.interference.end(),
+          [&](const Interference& one) { return one.run == series.run && one.sensor == sensor; });
       if (place == shape.interference.end())
         place = shape.interference.insert(place, {series.run, sensor, 1 / (frequency * pause), {}});
       place->rms[series.channel] = std::sqrt(2.0) * std::abs(transform(evidence, series, frequency)) / count *

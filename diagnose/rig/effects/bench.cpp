@@ -1,6 +1,7 @@
 /// \file
 /// Effects of the bench: how the chain is held, guided and loaded.
 
+#include "diagnose/rig/effects/each_joint.hpp"
 #include "diagnose/rig/effects/rows.hpp"
 
 namespace plumbline::diagnose {
@@ -33,18 +34,21 @@ std::vector<Effect> bench_effects() {
              const double c = at.scales.compliance();
              return std::vector{one_way("c_x", "m/N", 0.01 * c, c), one_way("c_y", "m/N", 0.01 * c, c)};
            },
-       .add = [](const Addition& to) { to.rig.base_compliance += Vector2(to.value[0], to.value[1]); }},
+       .add = [](const Addition& to) { to.rig.base_compliance += Vector2(to.value[0], to.value[1]); },
+       .possible = has_links},
       {.id = "rail_misalignment",
        .words = "a misaligned rail",
        .parameters = [](const Place&) { return std::vector{both_ways("eps", "rad", 0.05, -0.6, 0.6)}; },
-       .add = [](const Addition& to) { to.rig.misalignment += to.value[0]; }},
+       .add = [](const Addition& to) { to.rig.misalignment += to.value[0]; },
+       .possible = has_links},
       {.id = "eccentric_load",
        .words = "a load that acts off the end point",
        .parameters =
            [](const Place& at) {
              return std::vector{both_ways("e", "m", 0.03 * at.scales.link, -at.scales.link, at.scales.link)};
            },
-       .add = [](const Addition& to) { to.rig.eccentricity += to.value[0]; }},
+       .add = [](const Addition& to) { to.rig.eccentricity += to.value[0]; },
+       .possible = has_links},
       {.id = "tip_stiffness",
        .words = "an end pivot with a rotational stiffness",
        .parameters =

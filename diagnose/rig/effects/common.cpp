@@ -19,7 +19,8 @@ std::vector<Effect> common_effects() {
            [](const Addition& to) {
              for (double& k : to.rig.stiffness) k *= 1 + to.value[0];
            },
-       .possible = several_elastic},
+       .possible = several_elastic,
+       .in_space = true},
       {.id = "length_scale",
        .words = "all lengths wrong by one factor",
        .parameters = [](const Place&) { return std::vector{both_ways("a", "ratio", 0.01, -0.3, 0.3)}; },
@@ -30,7 +31,11 @@ std::vector<Effect> common_effects() {
        .possible = several_links},
       {.id = "rest_offset",
        .words = "all rest angles off by the same angle",
-       .parameters = [](const Place&) { return std::vector{both_ways("a", "rad", 0.03, -0.6, 0.6)}; },
+       .parameters =
+           [](const Place& at) {
+             const double w = at.scales.turn;
+             return std::vector{both_ways("a", "rad", 0.03 * w, -0.6 * w, 0.6 * w)};
+           },
        .add =
            [](const Addition& to) {
              for (double& error : to.rig.rest_error) error += to.value[0];
@@ -48,7 +53,8 @@ std::vector<Effect> common_effects() {
            },
        .possible = several_elastic,
        .within_values = {"stiffness_scale", "joint_stiffness", "force_gain"},
-       .is_tolerance = true},
+       .is_tolerance = true,
+       .in_space = true},
       {.id = "length_spread",
        .words = "lengths that differ from link to link within their tolerance",
        .parameters =
@@ -97,7 +103,8 @@ std::vector<Effect> common_effects() {
              }
              return guesses;
            },
-       .at_least = 2},
+       .at_least = 2,
+       .in_space = true},
       {.id = "friction_spread",
        .words = "dry friction that differs from joint to joint",
        .dissipates = true,
@@ -120,7 +127,8 @@ std::vector<Effect> common_effects() {
                guesses.points.emplace_back(each(at, {}).size(), share * nominal.torque);
              return guesses;
            },
-       .perturbation = {.large_step = true}},
+       .perturbation = {.large_step = true},
+       .in_space = true},
       {.id = "hardening_spread",
        .words = "springs that harden or soften, each by its own amount",
        .parameters =
@@ -128,8 +136,7 @@ std::vector<Effect> common_effects() {
              const double scale = 1 / (at.scales.deflection * at.scales.deflection);
              // A joint with a third of the typical deflection needs nine times the c for the same softening.
              const ParameterRange alike = hardening(at.scales);
-             return each(at,
-                         {"c", "1/rad²", priors::hardening_tolerance * scale, 9 * alike.low, alike.high});
+             return each(at, {"c", "1/rad²", priors::hardening_tolerance * scale, 9 * alike.low, alike.high});
            },
        .add =
            [](const Addition& to) {

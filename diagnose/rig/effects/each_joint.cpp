@@ -5,17 +5,13 @@
 #include <mutex>
 
 namespace plumbline::diagnose {
-namespace {
 
-/// The same text for the same text, for good.
 std::string_view kept(std::string text) {
   static std::map<std::string, std::string> all;
   static std::mutex one_at_a_time;
   const std::scoped_lock lock(one_at_a_time);
   return all.try_emplace(text, text).first->second;
 }
-
-}  // namespace
 
 bool several_elastic(const Place& at) {
   return std::count_if(at.scales.joint_stiffness.begin(), at.scales.joint_stiffness.end(),
@@ -24,6 +20,10 @@ bool several_elastic(const Place& at) {
 
 bool several_links(const Place& at) {
   return at.scales.link_length.size() > 1;
+}
+
+bool has_links(const Place& at) {
+  return at.scales.links;
 }
 
 std::string_view numbered(std::string_view stem, std::size_t index) {

@@ -10,6 +10,11 @@ namespace plumbline::diagnose {
 bool several_elastic(const Place& at);
 bool several_links(const Place& at);
 
+/// At least one link: a joint alone has none.
+bool has_links(const Place& at);
+/// The same text for the same text, for good.
+std::string_view kept(std::string text);
+
 /// "a_1" for the first value of stem "a"; the names live as long as the catalogue.
 std::string_view numbered(std::string_view stem, std::size_t index);
 

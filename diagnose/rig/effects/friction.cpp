@@ -60,8 +60,8 @@ std::vector<Effect> friction_effects() {
        .initial_guesses =
            [](const Place& at, const Excitation& nominal) {
              const double turn = at.scales.deflection;
-             return friction_guesses(nominal.torque,
-                                     {{std::log(1e-3 * turn)}, {std::log(0.01 * turn)}, {std::log(0.1 * turn)}});
+             return friction_guesses(
+                 nominal.torque, {{std::log(1e-3 * turn)}, {std::log(0.01 * turn)}, {std::log(0.1 * turn)}});
            },
        .perturbation = perturbation},
       {.id = "load_friction",
@@ -84,7 +84,8 @@ std::vector<Effect> friction_effects() {
              return friction_guesses(nominal.torque, {{3 / std::max(nominal.largest, 1e-3)}});
            },
        .perturbation = perturbation,
-       .at_least = 2},
+       .at_least = 2,
+       .in_space = true},
       {.id = "direction_friction",
        .words = "dry friction in the joints that is larger in one direction than in the other",
        .dissipates = true,
@@ -104,7 +105,8 @@ std::vector<Effect> friction_effects() {
              return friction_guesses(nominal.torque, {{0.5}, {-0.5}});
            },
        .perturbation = perturbation,
-       .at_least = 2},
+       .at_least = 2,
+       .in_space = true},
       {.id = "speed_friction",
        .words = "dry friction in the joints that changes with their speed",
        .dissipates = true,

@@ -80,6 +80,7 @@ Effect hysteresis_of(std::size_t elements, bool at_joint) {
   row.perturbation.large_step = true;
   row.element_size = 2;
   row.orders = [=] { return hystereses(at_joint); };
+  row.in_space = true;
   return row;
 }
 
@@ -160,8 +161,8 @@ std::vector<Effect> springs() {
 /// Largest relative loss of stiffness beyond the knee.
 constexpr double most_give = 0.95;
 
-std::vector<ParameterRange> piecewise_ranges() {
-  return {onset_angle("s"), one_way("a", "ratio", 0.2, most_give)};
+std::vector<ParameterRange> piecewise_ranges(const Place& at) {
+  return {onset_angle("s", at.scales.turn), one_way("a", "ratio", 0.2, most_give)};
 }
 
 InitialGuesses piecewise_guesses(double reach) {
@@ -175,7 +176,7 @@ std::vector<Effect> piecewise_springs() {
   return {
       {.id = "piecewise_spring",
        .words = "springs that soften beyond an angle",
-       .parameters = [](const Place&) { return piecewise_ranges(); },
+       .parameters = piecewise_ranges,
        .add =
            [](const Addition& to) {
              to.rig.knee.assign(to.rig.knee.size(), to.value[0]);
@@ -189,7 +190,7 @@ std::vector<Effect> piecewise_springs() {
       {.id = "piecewise_spring",
        .words = "a spring of joint {} that softens beyond an angle",
        .at_joint = true,
-       .parameters = [](const Place&) { return piecewise_ranges(); },
+       .parameters = piecewise_ranges,
        .add =
            [](const Addition& to) {
              to.rig.knee[to.joint] = to.value[0];
@@ -212,7 +213,7 @@ std::vector<Effect> stops() {
        .words = "stops at every joint",
        .parameters =
            [](const Place& at) {
-             return std::vector{onset_angle("s"), stop_stiffness(at.scales.stiffness)};
+             return std::vector{onset_angle("s", at.scales.turn), stop_stiffness(at.scales.stiffness)};
            },
        .add =
            [](const Addition& to) {
@@ -233,7 +234,7 @@ std::vector<Effect> stops() {
            [](const Place& at) {
              std::vector<ParameterRange> all{stop_stiffness(at.scales.stiffness)};
              for (std::size_t i = 0; i < at.scales.link_length.size(); ++i)
-               all.push_back(onset_angle(numbered("s", i)));
+               all.push_back(onset_angle(numbered("s", i), at.scales.turn));
              return all;
            },
        .add =

@@ -29,11 +29,16 @@ std::vector<Effect> joint_effects() {
        .at_joint = true,
        .parameters = [](const Place&) { return std::vector{both_ways("a", "ratio", 0.2, -0.95, 9)}; },
        .add = [](const Addition& to) { to.rig.stiffness[to.joint] *= 1 + to.value[0]; },
-       .possible = is_elastic},
+       .possible = is_elastic,
+       .in_space = true},
       {.id = "rest_angle",
        .words = "a wrong rest angle of joint {}",
        .at_joint = true,
-       .parameters = [](const Place&) { return std::vector{both_ways("a", "rad", 0.05, -0.6, 0.6)}; },
+       .parameters =
+           [](const Place& at) {
+             const double w = at.scales.turn;
+             return std::vector{both_ways("a", "rad", 0.05 * w, -0.6 * w, 0.6 * w)};
+           },
        .add = [](const Addition& to) { to.rig.rest_error[to.joint] += to.value[0]; },
        .possible = is_elastic},
       {.id = "nonlinear_spring",
@@ -42,18 +47,23 @@ std::vector<Effect> joint_effects() {
        .add =
            [](const Addition& to) {
              for (double& c : to.rig.hardening) c += to.value[0];
-           }},
+           },
+       .in_space = true},
       {.id = "backlash",
        .words = "play in joint {}",
        .at_joint = true,
-       .parameters = [](const Place&) { return std::vector{one_way("b", "rad", 0.05, 0.6)}; },
+       .parameters =
+           [](const Place& at) {
+             return std::vector{one_way("b", "rad", 0.05 * at.scales.turn, 0.6 * at.scales.turn)};
+           },
        .add = [](const Addition& to) { to.rig.backlash[to.joint] += to.value[0]; },
        .possible = is_elastic,
        .initial_guesses =
            [](const Place& at, const Excitation& nominal) {
              return shares_of(nominal.deflection[at.joint], {0.02, 0.1, 0.4}, 2);
            },
-       .perturbation = {.large_step = true}},
+       .perturbation = {.large_step = true},
+       .in_space = true},
       {.id = "joint_friction",
        .words = "dry friction in the joints",
        .dissipates = true,
@@ -70,13 +80,15 @@ std::vector<Effect> joint_effects() {
            [](const Place&, const Excitation& nominal) {
              return shares_of(nominal.torque, {0.002, 0.01, 0.05}, 1);
            },
-       .perturbation = {.large_step = true}},
+       .perturbation = {.large_step = true},
+       .in_space = true},
       {.id = "joint_stop",
        .words = "a stop at joint {}",
        .at_joint = true,
        .parameters =
            [](const Place& at) {
-             return std::vector{onset_angle("s"), stop_stiffness(at.scales.stiffness_at(at.joint))};
+             return std::vector{onset_angle("s", at.scales.turn),
+                                stop_stiffness(at.scales.stiffness_at(at.joint))};
            },
        .add =
            [](const Addition& to) {
@@ -124,7 +136,8 @@ std::vector<Effect> joint_effects() {
                guesses.points.push_back({0.5 * 0.2, low + share * (high - low)});
              return guesses;
            },
-       .perturbation = {.growing = {0}}},
+       .perturbation = {.growing = {0}},
+       .in_space = true},
   };
 }
 

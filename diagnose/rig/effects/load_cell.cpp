@@ -1,5 +1,5 @@
 /// \file
-/// Effects of the load cell.
+/// Effects of the load cell, and of the sensor of the load of a joint alone.
 
 #include "diagnose/rig/effects/rows.hpp"
 
@@ -10,10 +10,60 @@ bool has_load_cell(const Place& at) {
   return at.scales.load_cell;
 }
 
+/// The typical torque of a joint alone.
+double typical_load(const Place& at) {
+  return at.scales.force * at.scales.length;
+}
+
+bool has_load_sensor(const Place& at) {
+  return at.scales.load_sensor;
+}
+
+bool reads_load_over_time(const Place& at) {
+  return at.scales.reads_load && at.scales.clock;
+}
+
+std::vector<Effect> load_sensor_effects() {
+  return {
+      {.id = "load_zero",
+       .words = "a wrong zero of the load sensor",
+       .parameters =
+           [](const Place& at) {
+             const double load = typical_load(at);
+             return std::vector{both_ways("b", "N m", 0.05 * load, -3 * load, 3 * load)};
+           },
+       .add = [](const Addition& to) { to.rig.force_bias.x() += to.value[0]; },
+       .possible = has_load_sensor},
+      {.id = "load_gain",
+       .words = "a scale error of the load sensor",
+       .parameters = [](const Place&) { return std::vector{both_ways("g", "ratio", 0.05, -0.8, 3)}; },
+       .add = [](const Addition& to) { to.rig.force_gain += to.value[0]; },
+       .possible = has_load_sensor},
+      {.id = "load_drift",
+       .words = "a load sensor that drifts over time",
+       .parameters =
+           [](const Place& at) {
+             const double rate = typical_load(at) / at.scales.duration;
+             return std::vector{both_ways("r", "N m/s", 0.05 * rate, -3 * rate, 3 * rate)};
+           },
+       .add = [](const Addition& to) { to.rig.force_drift.x() += to.value[0]; },
+       .possible = reads_load_over_time},
+      {.id = "load_lag",
+       .words = "a load sensor that responds with a delay",
+       .dissipates = true,
+       .parameters =
+           [](const Place& at) {
+             return std::vector{one_way("tau", "s", 0.3 * at.scales.sampling_interval, at.scales.duration)};
+           },
+       .add = [](const Addition& to) { to.rig.force_lag += to.value[0]; },
+       .possible = reads_load_over_time},
+  };
+}
+
 }  // namespace
 
 std::vector<Effect> load_cell_effects() {
-  return {
+  std::vector<Effect> rows{
       {.id = "force_bias",
        .words = "a tare error of the load cell",
        .parameters =
@@ -41,6 +91,8 @@ std::vector<Effect> load_cell_effects() {
        // An imposed force cannot drift.
        .possible = [](const Place& at) { return at.scales.measures_force && at.scales.clock; }},
   };
+  for (Effect& row : load_sensor_effects()) rows.push_back(std::move(row));
+  return rows;
 }
 
 }  // namespace plumbline::diagnose

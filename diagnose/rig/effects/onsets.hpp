@@ -9,8 +9,9 @@
 namespace plumbline::diagnose {
 
 /// s, the deflection at the threshold.
-inline ParameterRange onset_angle(std::string_view name) {
-  return {name, "rad", Coordinate::plain, 0.3, 1e-5, 3};
+/// \param turn  unit of the ranges of angles, rad
+inline ParameterRange onset_angle(std::string_view name, double turn) {
+  return {name, "rad", Coordinate::plain, 0.3 * turn, 1e-5 * turn, 3 * turn};
 }
 
 /// k_s, the stiffness of a stop in parallel with a spring. A smoothly stiffening spring resembles a stop that

@@ -63,7 +63,8 @@ void require_torque(const StatedEffect& stated, const Study& study, const TriedV
                                      q - run.rest_at(run.readings[static_cast<std::size_t>(row)])[i],
                                      run.readings[static_cast<std::size_t>(row)].t,
                                      experiment.joint_stiffness[i],
-                                     {trace(row, column_Fx), trace(row, column_Fy)}};
+                                     {trace(row, column_Fx), trace(row, column_Fy)},
+                                     run.readings[static_cast<std::size_t>(row)].covariates};
         for (const double direction : {1.0, -1.0})
           require(torque.value(at, direction), trial, stated, "torque",
                   fmt::format("in joint {} at reading {} of {}", i + 1, row, run.id));
@@ -82,7 +83,8 @@ void require_reading(const StatedEffect& stated, const StatedReading& one, const
       if (!trace.row(row).isFinite().all()) continue;
       const Reading& reading = run.readings[static_cast<std::size_t>(row)];
       for (const double direction : {1.0, -1.0}) {
-        const Moment moment{reading.t, run.number, direction, run.rest_at(reading)[channel.joint]};
+        const Moment moment{reading.t, run.number, direction, run.rest_at(reading)[channel.joint],
+                            reading.covariates};
         require(correction.value(reading_values(trace.row(row).transpose(), moment, channel)), trial, stated,
                 "reading." + one.key, fmt::format("at reading {} of {}", row, run.id));
       }

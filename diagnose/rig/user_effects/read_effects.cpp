@@ -14,13 +14,14 @@
 namespace plumbline::diagnose {
 namespace {
 
-bool is_variable(const std::string& name) {
+bool is_variable(const std::string& name, const StatedEffect& effect) {
   const auto among = [&](const auto& all) { return std::find(all.begin(), all.end(), name) != all.end(); };
-  return among(torque_variables) || among(reading_variables);
+  return among(torque_variables) || among(reading_variables) || among(effect.covariates);
 }
 
-StatedParameter read_parameter(const Section& parameters, const std::string& name) {
-  if (!can_be_named(name) || is_variable(name))
+StatedParameter read_parameter(const Section& parameters, const std::string& name,
+                               const StatedEffect& effect) {
+  if (!can_be_named(name) || is_variable(name, effect))
     throw Error(parameters.place(name), "a parameter of that name",
                 "letters, digits and _, no variable and no function of expressions");
   const Section section = parameters.table(name);
@@ -43,31 +44,31 @@ StatedParameter read_parameter(const Section& parameters, const std::string& nam
   return one;
 }
 
-std::vector<StatedParameter> read_parameters(const Section& effect) {
-  const Section section = effect.table("parameters");
-  if (section.keys().empty())
-    throw Error(effect.place("parameters"), "an empty table", "a parameter or more");
+std::vector<StatedParameter> read_parameters(const Section& of, const StatedEffect& effect) {
+  const Section section = of.table("parameters");
+  if (section.keys().empty()) throw Error(of.place("parameters"), "an empty table", "a parameter or more");
   std::vector<StatedParameter> all;
-  for (const std::string& key : section.keys()) all.push_back(read_parameter(section, key));
+  for (const std::string& key : section.keys()) all.push_back(read_parameter(section, key, effect));
   constexpr std::size_t most = 8;
   if (all.size() > most)
-    throw Error(effect.place("parameters"), fmt::format("{} parameters", all.size()),
+    throw Error(of.place("parameters"), fmt::format("{} parameters", all.size()),
                 fmt::format("at most {}: more follow anything", most));
   if (std::none_of(all.begin(), all.end(), [](const StatedParameter& one) { return one.grows(); }))
-    throw Error(effect.place("parameters"), "none that may be zero",
+    throw Error(of.place("parameters"), "none that may be zero",
                 "a parameter whose bounds include zero, where the chain is nominal");
   return all;
 }
 
 std::shared_ptr<const Formula> read_formula(const Section& section, const std::string& key,
                                             std::vector<std::string> variables, const StatedEffect& effect) {
+  variables.insert(variables.end(), effect.covariates.begin(), effect.covariates.end());
   for (const StatedParameter& one : effect.parameters) variables.push_back(one.name);
   return std::make_shared<Formula>(section.text(key, "an expression"), variables, section.place(key));
 }
 
 StatedReading read_reading(const Section& section, const std::string& key, const StatedEffect& effect) {
   static const std::regex angle("q([1-9][0-9]{0,6})?");
-  static const std::vector<std::string> others{"x", "y", "Fx", "Fy"};
+  static const std::vector<std::string> others{"x", "y", "Fx", "Fy", "angle", "torque"};
   std::vector<std::string> variables(reading_variables.begin(), reading_variables.end());
   if (std::smatch found; std::regex_match(key, found, angle)) {
     const auto joint = found[1].matched ? std::optional(std::stoul(found[1]) - 1) : std::nullopt;
@@ -76,8 +77,10 @@ StatedReading read_reading(const Section& section, const std::string& key, const
   }
   const auto place = std::find(others.begin(), others.end(), key);
   if (place == others.end())
-    throw Error(section.place(key), "a reading of that name", "x, y, Fx, Fy, q or, of joint 2, q2");
-  constexpr Channel::Name names[]{Channel::Name::x, Channel::Name::y, Channel::Name::Fx, Channel::Name::Fy};
+    throw Error(section.place(key), "a reading of that name",
+                "x, y, Fx, Fy, angle, torque, q or, of joint 2, q2");
+  using Name = Channel::Name;
+  constexpr Name names[]{Name::x, Name::y, Name::Fx, Name::Fy, Name::angle, Name::torque};
   return {names[place - others.begin()], std::nullopt, key, read_formula(section, key, variables, effect)};
 }
 
@@ -122,12 +125,13 @@ void require_all_used(const Section& section, const StatedEffect& effect) {
                   "parameters of the expressions alone");
 }
 
-StatedEffect read_effect(const Section& section) {
+StatedEffect read_effect(const Section& section, const std::vector<std::string>& covariates) {
   section.allow_only({"id", "words", "where", "torque", "reading", "parameters"});
   StatedEffect effect;
   effect.place = section.where();
   effect.id = read_id(section);
-  effect.parameters = read_parameters(section);
+  effect.covariates = covariates;
+  effect.parameters = read_parameters(section, effect);
   if (section.has("torque") == section.has("reading"))
     throw Error(effect.place, section.has("torque") ? "torque and reading" : "neither torque nor reading",
                 "one of them");
@@ -150,7 +154,11 @@ StatedEffect read_effect(const Section& section) {
 
 }  // namespace
 
-std::vector<StatedEffect> parse_effects(const std::string& text, const std::string& source) {
+std::vector<StatedEffect> parse_effects(const std::string& text, const std::string& source,
+                                        const std::vector<std::string>& covariates) {
+  for (const std::string& name : covariates)
+    if (!can_be_named(name))
+      throw Error("columns.covariate." + name, "the name of a function of expressions", "another name");
   const toml::table table = files::parse_toml(text, source);
   const Section root(table, source);
   root.allow_only({"format", "effect"});
@@ -160,7 +168,7 @@ std::vector<StatedEffect> parse_effects(const std::string& text, const std::stri
   if (sections.empty()) throw Error(root.place("effect"), "no [[effect]]", "at least one");
   std::vector<StatedEffect> effects;
   for (const Section& section : sections) {
-    StatedEffect one = read_effect(section);
+    StatedEffect one = read_effect(section, covariates);
     for (const StatedEffect& other : effects)
       if (other.id == one.id)
         throw Error(section.place("id"), "\"" + one.id + "\" again", "an id that no other effect has");
@@ -169,8 +177,9 @@ std::vector<StatedEffect> parse_effects(const std::string& text, const std::stri
   return effects;
 }
 
-std::vector<StatedEffect> read_effects(const std::filesystem::path& file) {
-  return parse_effects(files::read_text(file), files::source_name(file));
+std::vector<StatedEffect> read_effects(const std::filesystem::path& file,
+                                       const std::vector<std::string>& covariates) {
+  return parse_effects(files::read_text(file), files::source_name(file), covariates);
 }
 
 }  // namespace plumbline::diagnose

@@ -32,6 +32,7 @@ struct StatedEffect {
   std::shared_ptr<const Formula> torque;
   std::vector<StatedReading> readings;
   std::vector<StatedParameter> parameters;  ///< at least one that grows
+  std::vector<std::string> covariates;      ///< of the experiment: variables of every expression
 
   [[nodiscard]] bool uses(std::string_view variable) const;
 };

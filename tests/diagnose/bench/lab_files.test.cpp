@@ -83,7 +83,7 @@ double force_in(const std::string& unit, const std::string& text) {
   const toml::table table = toml::parse(tables);
   format = read_sample_format(Section(table, "f"), format);
   const SampleTable samples = parse_sample_table("F\n" + text + "\n", "s", format);
-  return read_samples(samples, "s", Control::end_point, format).readings.at(0).Fx;
+  return read_samples({{"s", samples, format}}, Control::end_point).readings.at(0).Fx;
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ std::string format_fault(const std::string& tables) {
 
 Samples sampled(const std::string& tables, const std::string& text, Control control = Control::end_point) {
   const SampleFormat format = format_of(tables);
-  return read_samples(parse_sample_table(text, "T", format), "T", control, format);
+  return read_samples({{"T", parse_sample_table(text, "T", format), format}}, control);
 }
 
 std::string sample_fault(const std::string& tables, const std::string& text,
@@ -228,7 +228,7 @@ TEST_CASE("columns are found by their number, by their name, or in the standard 
   const std::string named = "[columns]\nt = { constant = 0 }\nx = 2\ny = \"h\"\n";
   const SampleFormat format = format_of(named);
   const SampleTable table = parse_sample_table("a,b,h\n1,2,3\n", "T", format);
-  const ColumnPlaces places = column_places(table, format, "T", Control::end_point);
+  const ColumnPlaces places = column_places({{"T", table, format}}, Control::end_point).front();
   using Place = std::optional<std::size_t>;
   CHECK(places ==
         ColumnPlaces{Place(), Place(1), Place(2), Place(), Place(), Place(), Place(), Place(), Place()});
@@ -236,7 +236,7 @@ TEST_CASE("columns are found by their number, by their name, or in the standard 
   SampleFormat bare = standard_format(2);
   bare.header = false;
   const SampleTable numbers = parse_sample_table("0,1,2,3,4\n", "T", bare);
-  CHECK(column_places(numbers, bare, "T", Control::force) ==
+  CHECK(column_places({{"T", numbers, bare}}, Control::force).front() ==
         ColumnPlaces{Place(0), Place(1), Place(2), Place(3), Place(4), Place(), Place(), Place(), Place()});
   CHECK(column_title(numbers, 1) == "column 2");
 }
@@ -251,9 +251,10 @@ TEST_CASE("a missing column is refused") {
   CHECK(sample_fault("[columns]\nx = \"k\"\n", "a,b,h\n1,2,3\n") ==
         header + "one column 'k', which F:2: columns.x names");
   CHECK(sample_fault("[columns]\nx = \"a\"\n", "a,a,h\n1,2,3\n") ==
-        "T:1: found 2 columns of one name, expected one column 'a', which F:2: columns.x names");
+        "T:1: found 2 columns of one name, expected one column 'a', which F:2: columns.x names; a number "
+        "says which one");
   CHECK(sample_fault("[columns]\n", "x,y,y\n1,2,3\n") ==
-        "T:1: found 2 columns of one name, expected one column 'y'");
+        "T:1: found 2 columns of one name, expected one column 'y'; a number says which one");
   CHECK(sample_fault("[columns]\nx = \"a\"\n", "a,b,h\n1,2,3\n") ==
         "T:1: found no column 'y', which the run imposes, expected the column, or a key columns.y that names "
         "another");
@@ -290,7 +291,7 @@ q = { column = ["q1", "q2"], absolute = true }
   CHECK(first.q == std::vector<double>{0.25, 0.5});
   CHECK(second.q[0] == 0.5);
   CHECK(std::isnan(second.q[1]));
-  REQUIRE(samples.origins.size() == 7);
+  REQUIRE(samples.origins.size() == 9);  // commanded angles among them
   CHECK(samples.origins[place_t].source.empty());
   CHECK(samples.origins[place_x].source == "x");
   CHECK(samples.origins[place_x].what == "x");

@@ -16,6 +16,8 @@ using namespace plumbline::diagnose::test;
 TEST_CASE("limits of a proposed run: twice the force, 1.5 times the deflection, by hand") {
   const OperatingEnvelope so_far{0.1, 2.5, 0.4, 2};
   const std::vector<double> rest{0.3, -0.5};
+  Run run{"asked", Control::force, rest, {}};
+  run.readings.resize(2);
   // Fx, Fy and the joints' turns at the second reading; the first is unloaded
   const auto trace = [&](double Fx, double Fy, double turn1, double turn2) {
     Trace result = Trace::Zero(2, column_q + 2);
@@ -27,13 +29,13 @@ TEST_CASE("limits of a proposed run: twice the force, 1.5 times the deflection, 
     }
     return result;
   };
-  CHECK(so_far.allows(trace(-3, 3.9, 0.59, -0.59), rest));  // 4.92 N of 5, 0.59 rad of 0.6
-  CHECK_FALSE(so_far.allows(trace(-3, 4.1, 0.1, 0), rest));
-  CHECK_FALSE(so_far.allows(trace(5.1, 0, 0.1, 0), rest));
-  CHECK_FALSE(so_far.allows(trace(1, 0, 0.61, 0), rest));
-  CHECK_FALSE(so_far.allows(trace(1, 0, 0.1, -0.61), rest));
+  CHECK(so_far.allows(trace(-3, 3.9, 0.59, -0.59), run));  // 4.92 N of 5, 0.59 rad of 0.6
+  CHECK_FALSE(so_far.allows(trace(-3, 4.1, 0.1, 0), run));
+  CHECK_FALSE(so_far.allows(trace(5.1, 0, 0.1, 0), run));
+  CHECK_FALSE(so_far.allows(trace(1, 0, 0.61, 0), run));
+  CHECK_FALSE(so_far.allows(trace(1, 0, 0.1, -0.61), run));
   // where nothing was asked so far anything may be
-  CHECK(OperatingEnvelope{}.allows(trace(100, 0, 3, 3), rest));
+  CHECK(OperatingEnvelope{}.allows(trace(100, 0, 3, 3), run));
 }
 
 namespace {
@@ -109,7 +111,7 @@ TEST_CASE("a held end point is pressed to the limits of force and deflection, an
     Experiment bench = experiment;
     bench.runs = {run};
     const Prediction nominal = Study(bench).nominal();
-    return nominal.reached && !nominal.snapped && so_far.allows(nominal.runs[0], run.rest);
+    return nominal.reached && !nominal.snapped && so_far.allows(nominal.runs[0], run);
   };
   const auto longer = [](Run run) {
     for (Reading& one : run.readings) {

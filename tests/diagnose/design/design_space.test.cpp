@@ -56,7 +56,7 @@ TEST_CASE("a design space: planned runs first, as the nominal chain follows them
         CHECK(channel.of(run.readings[i]) ==
               nominal.runs[r](static_cast<Eigen::Index>(i), column_of(channel)));
     if (r == 0) continue;
-    CHECK(so_far.allows(nominal.runs[r], run.rest));
+    CHECK(so_far.allows(nominal.runs[r], run));
   }
 }
 

@@ -47,11 +47,11 @@ TEST_CASE("commands are counted from rest over the farthest, with their directio
   const CommandStates states(experiment);
   REQUIRE(states.of.size() == 1);
   const std::vector<CommandState>& run = states.of[0];
-  CHECK(run.front().command.norm() < 1e-12);
-  CHECK(run[20].command.norm() == close_to(1));
-  CHECK(run[5].command.norm() == close_to(0.25));
-  CHECK(run[20].direction == 1);
-  CHECK(run[21].direction == -1);
+  CHECK(run.front().command[0].norm() < 1e-12);
+  CHECK(run[20].command[0].norm() == close_to(1));
+  CHECK(run[5].command[0].norm() == close_to(0.25));
+  CHECK(run[20].direction[0] == 1);
+  CHECK(run[21].direction[0] == -1);
   CHECK(run[10].progress == close_to(0.25));
   CHECK(run.back().progress == close_to(1));
   CHECK(states.knows_rest[0]);
@@ -98,8 +98,10 @@ TEST_CASE("a discrepancy does not depend on units, on the order of the runs, or 
     CHECK((all[l] - other[l]).cwiseAbs().maxCoeff() < 1e-9);
     CHECK((all[l] - in_millimetres[l]).cwiseAbs().maxCoeff() < 1e-6);
     // other pivots may be taken among equals: up to what is left out
-    CHECK((all[l].topLeftCorner(41, 41) - swapped[l].bottomRightCorner(41, 41)).cwiseAbs().maxCoeff() < of_cutting);
-    CHECK((all[l].topRightCorner(41, 16) - swapped[l].bottomLeftCorner(41, 16)).cwiseAbs().maxCoeff() < of_cutting);
+    CHECK((all[l].topLeftCorner(41, 41) - swapped[l].bottomRightCorner(41, 41)).cwiseAbs().maxCoeff() <
+          of_cutting);
+    CHECK((all[l].topRightCorner(41, 16) - swapped[l].bottomLeftCorner(41, 16)).cwiseAbs().maxCoeff() <
+          of_cutting);
   }
 }
 
@@ -112,7 +114,8 @@ TEST_CASE("runs of unlike rest shapes share little, and runs of another control 
     const MatrixXd one = covariances(experiment)[1];
     return one(15, 41 + 15) / one(15, 15);
   };
-  const double same = shared({0.3, -0.5, 0.4}), near = shared({0.4, -0.6, 0.5}), far = shared({-0.4, 0.3, 0.5});
+  const double same = shared({0.3, -0.5, 0.4}), near = shared({0.4, -0.6, 0.5}),
+               far = shared({-0.4, 0.3, 0.5});
   CHECK(same > near);
   CHECK(near > far);
   CHECK(far > 0);

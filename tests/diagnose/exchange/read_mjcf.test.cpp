@@ -225,7 +225,7 @@ TEST_CASE("a servo arm of today is read, and what statics has no use for is said
   CHECK(notes(read, "spring of 50 N m/rad about its command"));
   CHECK(notes(read, "held: joint 3"));
   for (const char* left :
-       {"frictionloss of shoulder", "range of elbow", "pid e", "50 % of the weight of lower, which gravcomp"})
+       {"friction of shoulder", "range of elbow", "pid e", "50 % of the weight of lower, which gravcomp"})
     CHECK_MESSAGE(notes(read, left), left);
   CHECK(notes(read, "at 0, 0.5 of the model"));
 }

@@ -64,7 +64,8 @@ TEST_CASE("no effect of the catalogue, put into the nominal model, is likelier t
   for (const EffectAt& at : possible) {
     const std::vector<double> parameters = drawn(Study(bare), at, random);
     // Its fit ends in local optima: docs/how-it-decides.md lists it among what fails.
-    if (at.effect->id == "hysteresis") continue;
+    // Its fit at one joint ends in a local optimum: docs/how-it-decides.md lists it among what fails.
+    if (at.effect->id == "hysteresis" && at.joint > 0) continue;
     if (!can_follow(bare, at, parameters)) continue;
     const Study study(measured(bare, {{at}}, parameters, static_cast<unsigned>(random())));
     const Findings findings = search(study);
@@ -74,6 +75,7 @@ TEST_CASE("no effect of the catalogue, put into the nominal model, is likelier t
     for (const Hypothesis& one : findings.hypotheses) best = std::max(best, one.look.log_likelihood);
     CAPTURE(at.label());
     CAPTURE(parameters);
+    CAPTURE(findings.hypotheses.front().candidate.label());
     ++asked;
     // A maximisation ends where an iteration gains less than a third of a nat.
     CHECK(best > *truth - 1);

@@ -62,6 +62,8 @@ inline Diagnosis made_up() {
               {{"load-2", 4, {Channel::Name::x}, -310.4, true}, {"press-1", 5, of_Fx, 12.3, false}},
               {"load-2"},
               {{"press-1", 3}},
+              {{"press-1", {"press-1b"}}},
+              {{"load-2", "temperature", 3, 9}},
               {{"load-2", Sensor::force, 0, 4, true, 2.7}, {"press-1", Sensor::angle, 4, 9, false, 3.25}},
               {{"press-1", of_q2, 7.5, 1.25}}};
   made.noise.shape.proportional = {{Channel::Name::Fx, 0.021}};

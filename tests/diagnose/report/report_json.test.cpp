@@ -21,7 +21,10 @@ TEST_CASE("the JSON has every number of a diagnosis, by hand") {
     "quantised": true,
     "outliers": [{"run": "load-2", "reading": 4, "channel": "x", "deviation": -310.4, "at_end": true},
       {"run": "press-1", "reading": 5, "channel": "Fx", "deviation": 12.3, "at_end": false}],
-    "assumed_weights": ["load-2"], "other_branch": [{"run": "press-1", "from": 3}]})json"));
+    "assumed_weights": ["load-2"],
+    "continued_runs": [{"run": "press-1", "by": ["press-1b"]}],
+    "interpolated": [{"run": "load-2", "covariate": "temperature", "readings": 3, "of": 9}],
+    "other_branch": [{"run": "press-1", "from": 3}]})json"));
   CHECK(json["where"] == ReportJson::parse(R"json({
     "channels": [{"channel": "Fx", "share": 0.75}, {"channel": "q2", "share": 0.25}],
     "runs": [{"run": "press-1", "share": 0.9}, {"run": "load-2", "share": 0.1}],

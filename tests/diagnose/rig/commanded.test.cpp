@@ -18,7 +18,7 @@ namespace {
 
 // Newton stops with steps below 1e-7 rad, which leaves errors of their square; dry friction that sticks gives
 // by 1e-5 of the deflection that the spring needs for its slip torque.
-constexpr double up_to_rounding = 1e-9;
+constexpr double as_near = 1e-9;
 
 Run commanded_run(const std::vector<std::vector<double>>& commands) {
   Run run{"sweep", Control::force, commands.front(), {}};
@@ -69,8 +69,7 @@ TEST_CASE("poses in one table are the poses of a run each, where nothing remembe
   REQUIRE(each.reached);
   CHECK_FALSE(one.snapped);
   for (std::size_t i = 0; i < poses.size(); ++i)
-    CHECK((one.runs[0].row(static_cast<Eigen::Index>(i)) - each.runs[i].row(0)).abs().maxCoeff() <
-          up_to_rounding);
+    CHECK((one.runs[0].row(static_cast<Eigen::Index>(i)) - each.runs[i].row(0)).abs().maxCoeff() < as_near);
 }
 
 TEST_CASE("dry friction holds the joint back by its torque, and over a reversal by twice its torque") {
@@ -114,7 +113,7 @@ TEST_CASE(
   REQUIRE(predicted.reached);
   for (Eigen::Index i = 0; i <= 24; ++i)
     CHECK(std::abs(angle(predicted, i) - experiment.runs[0].readings[static_cast<std::size_t>(i)].rest[0]) <
-          up_to_rounding);
+          as_near);
 }
 
 TEST_CASE("sensitivities along a sweep are those of two rigs") {

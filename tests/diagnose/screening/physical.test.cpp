@@ -55,7 +55,8 @@ TEST_CASE("a commanded end point lies within the reach, to a ten-thousandth of i
   third.x = 0.6001;
   CHECK(refused(experiment) ==
         "run \"press-1\", reading 3: found an end point 0.6001 m from the base, expected at most the length "
-        "of the chain, 0.6 m");
+        "of the chain, 0.6 m; x and y count from joint 1: where it lies elsewhere, columns.x.zero and "
+        "columns.y.zero say where");
   third.x = 0.48008, third.y = -0.36006;
   CHECK(refused(experiment).find("reading 3: found an end point 0.6001 m") != std::string::npos);
   experiment.runs[0].control = Control::force;  // measured: up to a quarter beyond
@@ -88,7 +89,8 @@ TEST_CASE("a folded chain cannot come nearer than its longest link exceeds the o
   first.x = 0.119, first.y = 0.16;
   CHECK(refused(experiment) ==
         "run \"press-1\", reading 1: found an end point 0.199402 m from the base, expected at least 0.2 m, "
-        "what the links reach when folded");
+        "what the links reach when folded; x and y count from joint 1: where it lies elsewhere, "
+        "columns.x.zero and columns.y.zero say where");
 }
 
 TEST_CASE("angles that put most end points more than a quarter of the chain away are refused") {

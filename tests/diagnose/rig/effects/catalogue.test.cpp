@@ -4,8 +4,8 @@
 #include <functional>
 #include <map>
 
-#include "diagnose/priors.hpp"
 #include "diagnose/inference/start.hpp"
+#include "diagnose/priors.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 
@@ -95,6 +95,10 @@ TEST_CASE("a sizeable amount of each effect, by hand") {
       {"force_bias", {0.35, 0.35}},
       {"force_gain", {0.05}},
       {"sensor_drift", {0.35 / 90, 0.35 / 90}},
+      {"load_zero", {0.05 * 7 * 1.3}},
+      {"load_gain", {0.05}},
+      {"load_drift", {0.05 * 7 * 1.3 / 90}},
+      {"load_lag", {0.75}},
       {"stiffness_scale", {0.1}},
       {"length_scale", {0.01}},
       {"rest_offset", {0.03}},
@@ -272,6 +276,7 @@ TEST_CASE("every effect: perturbed parameters, step, dissipation and excitation"
                                            {"direction_friction", {{0}, true, true, 100, 2, false}},
                                            {"speed_friction", {{0}, true, true, 100, 2, false}},
                                            {"saturation", {{}, true, false, 100, 1, false}},
+                                           {"load_lag", {{}, false, true, 100, 1, false}},
                                            {"sensor_lag", {{}, false, true, 100, 1, false}}};
   const Kind own_stops{{0}, false, false, 100, 1, false};  // their stiffness comes first
   const Kind giving{{0}, true, true, 100, 1, false};
@@ -280,8 +285,8 @@ TEST_CASE("every effect: perturbed parameters, step, dissipation and excitation"
     const auto place = others.find(row.id);
     const bool is_own_stops = row.id == "joint_stops" && &row != &effect("joint_stops");
     const bool gives = row.id == "joint_friction" && &row != &effect("joint_friction");
-    const Kind& expected = is_own_stops ? own_stops
-                           : gives      ? giving
+    const Kind& expected = is_own_stops            ? own_stops
+                           : gives                 ? giving
                            : place == others.end() ? plain
                                                    : place->second;
     CHECK(row.perturbation.growing == expected.growing);
@@ -306,11 +311,12 @@ TEST_CASE("ranges and initial guesses scale with the units of force, length and 
   const Excitation nominal = excitation_by_hand();
   Excitation scaled = nominal;
   scaled.torque *= N * m;
-  const std::map<std::string, double> factors{
-      {"ratio", 1},     {"rad", 1},          {"1/rad", 1},       {"1/rad²", 1},
-      {"N", N},         {"N m", N * m},      {"N m/rad", N * m}, {"m", m},
-      {"s", s},         {"m/N", m / N},      {"1/N", 1 / N},     {"N/s", N / s},
-      {"rad/s", 1 / s}, {"N m²", N * m * m}, {"kg/m", N / m}};
+  const std::map<std::string, double> factors{{"ratio", 1},         {"rad", 1},       {"1/rad", 1},
+                                              {"1/rad²", 1},        {"N", N},         {"N m", N * m},
+                                              {"N m/rad", N * m},   {"m", m},         {"s", s},
+                                              {"m/N", m / N},       {"1/N", 1 / N},   {"N/s", N / s},
+                                              {"N m/s", N * m / s}, {"rad/s", 1 / s}, {"N m²", N * m * m},
+                                              {"kg/m", N / m}};
   for (const Effect& row : catalogue()) {
     const std::size_t joint = row.at_joint ? 1 : 0;
     const auto before = row.parameters({size, joint}), after = row.parameters({other, joint});
@@ -358,6 +364,7 @@ TEST_CASE("an effect is possible where the bench meets each of its conditions") 
   CharacteristicScales all = sizes_by_hand();
   all.measures_force = all.load_cell = all.pivot = all.clock = all.measures_both_forces = true;
   all.turns_back = all.bent_at_rest = all.nominal_weight = all.imposes_force = true;
+  all.load_sensor = all.reads_load = true;
   all.measured.fill(true);
   all.at_largest = 4;
   const auto one_spring = [](CharacteristicScales& s) { s.joint_stiffness = {0, 3, 0}; };
@@ -366,6 +373,8 @@ TEST_CASE("an effect is possible where the bench meets each of its conditions") 
   const auto no_place = [](CharacteristicScales& s) { s.measured.fill(false); };
   const auto no_cell = [](CharacteristicScales& s) { s.load_cell = false; };
   const auto no_clock = [](CharacteristicScales& s) { s.clock = false; };
+  const auto no_links = [](CharacteristicScales& s) { s.links = false; };
+  const auto no_load = [](CharacteristicScales& s) { s.load_sensor = s.reads_load = false; };
   const auto no_turn = [](CharacteristicScales& s) { s.turns_back = false; };
   const auto weightless = [](CharacteristicScales& s) { s.weighs = false; };
   const auto no_masses = [](CharacteristicScales& s) { s.nominal_weight = false; };
@@ -409,6 +418,17 @@ TEST_CASE("an effect is possible where the bench meets each of its conditions") 
       {"force_gain", no_cell},
       {"sensor_drift", no_force},
       {"sensor_drift", no_clock},
+      {"axial_compliance", no_links},
+      {"link_bending", no_links},
+      {"base_compliance", no_links},
+      {"rail_misalignment", no_links},
+      {"eccentric_load", no_links},
+      {"load_zero", no_load},
+      {"load_gain", no_load},
+      {"load_drift", no_load},
+      {"load_drift", no_clock},
+      {"load_lag", no_load},
+      {"load_lag", no_clock},
       {"cross_talk", [](CharacteristicScales& s) { s.measures_both_forces = false; }},
       {"cell_curvature", no_cell},
       {"saturation", [](CharacteristicScales& s) { s.at_largest = 3; }},

@@ -1,0 +1,97 @@
+#pragma once
+/// \file
+/// Generalised forces of gravity and of wrenches on the freedoms of an arm, and their derivatives.
+
+#include <plumbline/arm/arm_kinematics.hpp>
+
+namespace plumbline {
+
+/// A wrench on a point that a link carries. Its force and moment keep their direction in the world.
+template <Floating Real>
+struct ArmWrench {
+  OnLink<Real> at;
+  Vector3<Real> force = Vector3<Real>::Zero();   ///< N
+  Vector3<Real> moment = Vector3<Real>::Zero();  ///< N m
+};
+
+/// What acts beyond a freedom: forces F at points p, and moments.
+template <Floating Real>
+struct LoadBeyond {
+  Vector3<Real> force = Vector3<Real>::Zero(), moment = Vector3<Real>::Zero();  ///< their sums
+  Eigen::Matrix<Real, 3, 3> dyad = Eigen::Matrix<Real, 3, 3>::Zero();           ///< sum of p F'
+
+  void add(const Vector3<Real>& f, const Vector3<Real>& at) {
+    force += f;
+    dyad += at * f.transpose();
+  }
+  /// Moment of all about the origin of the world.
+  [[nodiscard]] Vector3<Real> about_origin() const {
+    return moment + Vector3<Real>(dyad(1, 2) - dyad(2, 1), dyad(2, 0) - dyad(0, 2), dyad(0, 1) - dyad(1, 0));
+  }
+};
+
+/// Generalised forces on all freedoms, and their derivatives by the coordinates, a row a force.
+template <Floating Real>
+struct ArmLoads {
+  Vector<Real> force;
+  Matrix<Real> stiffness;
+};
+
+/// Loads beyond each freedom, from the last to the first. Moments have no potential: their part of the
+/// derivatives is not symmetric.
+template <Floating Real>
+ArmLoads<Real> arm_loads(const SerialArm<Real>& arm, const ArmPosture<Real>& posture,
+                         const std::vector<ArmWrench<Real>>& wrenches) {
+  const std::vector<ArmFreedom<Real>>& freedom = posture.freedoms();
+  const auto n = static_cast<Eigen::Index>(freedom.size());
+  ArmLoads<Real> loads{Vector<Real>(n), Matrix<Real>::Zero(n, n)};
+  std::vector<LoadBeyond<Real>> carried(freedom.size() + 1);  // by what so many freedoms move
+  for (std::size_t i = 0; i < arm.size(); ++i) {
+    // The mass of a link sits before its far end yields.
+    const std::size_t movers = posture.moved_by(i) - (i + 1 == arm.size() && yields(arm.links[i]) ? 6 : 0);
+    carried[movers].add(arm.links[i].mass * arm.gravity, posture.frame(i) * arm.links[i].centre);
+  }
+  for (const ArmWrench<Real>& one : wrenches) {
+    LoadBeyond<Real>& load = carried[posture.moved_by(one.at.link)];
+    load.add(one.force, posture.of(one.at).translation());
+    load.moment += one.moment;
+  }
+  LoadBeyond<Real> beyond;
+  for (Eigen::Index k = n; k-- > 0;) {
+    const LoadBeyond<Real>& here = carried[static_cast<std::size_t>(k) + 1];
+    beyond.force += here.force;
+    beyond.moment += here.moment;
+    beyond.dyad += here.dyad;
+    const ArmFreedom<Real>& one = freedom[static_cast<std::size_t>(k)];
+    const bool slides = one.kind == JointKind::prismatic;
+    loads.force(k) = slides ? one.axis.dot(beyond.force)
+                            : one.axis.dot(beyond.about_origin() - one.origin.cross(beyond.force));
+    // Sum of J_k x F over what is beyond: of (a x r) x F = r (a . F) - a (r . F).
+    const Eigen::Matrix<Real, 3, 3> about = beyond.dyad - one.origin * beyond.force.transpose();
+    const Vector3<Real> turned = slides ? Vector3<Real>(one.axis.cross(beyond.force))
+                                        : Vector3<Real>(about * one.axis - one.axis * about.trace());
+    for (Eigen::Index i = 0; i <= k; ++i) {
+      const ArmFreedom<Real>& before = freedom[static_cast<std::size_t>(i)];
+      if (before.kind == JointKind::prismatic) continue;
+      loads.stiffness(i, k) = loads.stiffness(k, i) = before.axis.dot(turned);
+      if (!slides && i < k) loads.stiffness(k, i) += before.axis.cross(one.axis).dot(beyond.moment);
+    }
+  }
+  return loads;
+}
+
+/// Moment of all loads about the origin of the base, in the world, N m.
+template <Floating Real>
+Vector3<Real> moment_on_base(const SerialArm<Real>& arm, const ArmPosture<Real>& posture,
+                             const std::vector<ArmWrench<Real>>& wrenches) {
+  LoadBeyond<Real> all;
+  for (std::size_t i = 0; i < arm.size(); ++i)
+    all.add(arm.links[i].mass * arm.gravity, posture.frame(i) * arm.links[i].centre);
+  for (const ArmWrench<Real>& one : wrenches) {
+    all.add(one.force, posture.of(one.at).translation());
+    all.moment += one.moment;
+  }
+  return all.about_origin() - arm.base.translation().cross(all.force);
+}
+
+}  // namespace plumbline

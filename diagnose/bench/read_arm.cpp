@@ -1,0 +1,171 @@
+#include "diagnose/bench/read_arm.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <plumbline/base/error.hpp>
+#include <set>
+
+#include "support/files/printable.hpp"
+
+namespace plumbline::diagnose {
+namespace {
+
+Vector3<double> vector_or(const Section& section, const char* key, const Vector3<double>& otherwise) {
+  if (!section.has(key)) return otherwise;
+  const std::vector<double> numbers = section.numbers(key, 3);
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
+/// Place and fixed-axis angles, as URDF has them.
+Pose<double> pose(const Section& section, const char* place, const char* turn) {
+  const Vector3<double> angles = vector_or(section, turn, Vector3<double>::Zero());
+  if (constexpr double most = 6.3; angles.cwiseAbs().maxCoeff() > most)
+    throw Error(section.place(turn), fmt::format("{:.4g} rad", angles.cwiseAbs().maxCoeff()),
+                "angles within a turn, in radians");
+  Pose<double> result = Pose<double>::Identity();
+  result.translation() = vector_or(section, place, Vector3<double>::Zero());
+  using Eigen::AngleAxisd, Eigen::Vector3d;
+  result.linear() = (AngleAxisd(angles.z(), Vector3d::UnitZ()) * AngleAxisd(angles.y(), Vector3d::UnitY()) *
+                     AngleAxisd(angles.x(), Vector3d::UnitX()))
+                        .toRotationMatrix();
+  return result;
+}
+
+ArmLink<double> read_link(const Section& joint) {
+  joint.allow_only({"name", "link", "kind", "xyz", "rpy", "axis", "stiffness", "mass", "centre", "limits"});
+  ArmLink<double> link;
+  const std::string expected = "\"revolute\" or \"prismatic\"";
+  const std::string kind = joint.has("kind") ? joint.text("kind", expected) : "revolute";
+  if (kind != "revolute" && kind != "prismatic") joint.refuse("kind", expected);
+  link.kind = kind == "revolute" ? JointKind::revolute : JointKind::prismatic;
+  link.frame = pose(joint, "xyz", "rpy");
+  link.axis = vector_or(joint, "axis", Vector3<double>(0, 0, 1));
+  if (!(link.axis.norm() > 0)) joint.refuse("axis", "a direction, which is not zero");
+  link.axis.normalize();
+  if (joint.has("stiffness")) {
+    const double stiffness = joint.number("stiffness", "N m/rad or N/m");
+    if (!(stiffness > 0)) joint.refuse("stiffness", "a positive number, or no such key for a rigid joint");
+    link.joint_compliance = 1 / stiffness;
+  }
+  link.mass = joint.non_negative("mass");
+  link.centre = vector_or(joint, "centre", Vector3<double>::Zero());
+  return link;
+}
+
+NominalArm read_joints(const Section& section) {
+  NominalArm nominal;
+  nominal.base = "base", nominal.tip = "tip";
+  std::set<std::string> names;
+  for (const Section& joint : section.tables("joint")) {
+    const std::string number = std::to_string(nominal.joint.size() + 1);
+    nominal.arm.links.push_back(read_link(joint));
+    nominal.joint.push_back(joint.has("name") ? joint.name("name", "a name") : "joint " + number);
+    nominal.link.push_back(joint.has("link") ? joint.name("link", "a name") : "link " + number);
+    for (const std::string& name : {nominal.joint.back(), nominal.link.back()})
+      if (!names.insert(name).second)
+        throw Error(joint.where(), "\"" + files::shown(name) + "\" again", "a name that nothing else has");
+    constexpr double endless = std::numeric_limits<double>::infinity();
+    nominal.limits.push_back(joint.has("limits") ? joint.pair("limits") : std::array{-endless, endless});
+  }
+  return nominal;
+}
+
+/// Stiffnesses beside a model's file, which may have none; 0 is rigid.
+void read_stiffness(const Section& section, NominalArm& nominal) {
+  if (!section.has("joint_stiffness")) return;
+  const std::vector<double> stiffness = section.numbers("joint_stiffness", nominal.arm.size());
+  for (std::size_t j = 0; j < stiffness.size(); ++j) {
+    if (stiffness[j] < 0) section.refuse("joint_stiffness", "numbers that are not negative; 0 is rigid");
+    nominal.arm.links[j].joint_compliance = stiffness[j] > 0 ? 1 / stiffness[j] : 0;
+  }
+}
+
+NominalArm read_nominal_arm(const Section& section, const ReadArm& read) {
+  if (section.has("model") == section.has("joint"))
+    throw Error(section.where(),
+                section.has("model") ? "arm.model and arm.joint" : "neither arm.model nor arm.joint",
+                "one of them");
+  NominalArm nominal;
+  if (section.has("joint")) {
+    nominal = read_joints(section);
+    nominal.arm.tip = pose(section, "tip_xyz", "tip_rpy");
+  } else {
+    const auto end = [&](const char* key) {
+      return section.has(key) ? section.text(key, "a name") : std::string();
+    };
+    const std::string file = section.text("model", "the name of a file");
+    if (!read)
+      throw Error(section.place("model"), "a model's file", "arm.joint, for no models are read here");
+    nominal = read(file, end("base"), end("tip"));
+  }
+  read_stiffness(section, nominal);
+  if (section.has("gravity")) nominal.arm.gravity = vector_or(section, "gravity", {});
+  if (section.has("base_xyz") || section.has("base_rpy"))
+    nominal.arm.base = pose(section, "base_xyz", "base_rpy");
+  return nominal;
+}
+
+/// A frame with an offset in the axes of the body that carries it.
+OnLink<double> on_body(const Section& section, const NominalArm& nominal) {
+  section.allow_only({"name", "body", "offset", "rpy"});
+  const std::string body = section.has("body") ? section.text("body", "a name") : nominal.tip;
+  const Pose<double> offset = pose(section, "offset", "rpy");
+  if (body == nominal.tip) return {nominal.arm.size() - 1, nominal.arm.tip * offset};
+  const auto found = std::find(nominal.link.begin(), nominal.link.end(), body);
+  if (found == nominal.link.end()) {
+    std::string names = nominal.tip;
+    for (const std::string& name : nominal.link) names += ", " + name;
+    throw Error(section.place("body"), "\"" + files::shown(body) + "\"", "one of " + files::shown(names));
+  }
+  return {static_cast<std::size_t>(found - nominal.link.begin()), offset};
+}
+
+std::vector<MeasuredPoint> read_points(const Section& section, const NominalArm& nominal) {
+  std::vector<MeasuredPoint> points;
+  std::set<std::string> names;
+  for (const Section& one : section.tables("point")) {
+    points.push_back({one.name("name", "a name"), on_body(one, nominal)});
+    if (!names.insert(points.back().name).second)
+      throw Error(one.place("name"), "\"" + points.back().name + "\" again",
+                  "a name that no other point has");
+  }
+  if (points.empty()) points.push_back({"tip", {nominal.arm.size() - 1, nominal.arm.tip}});
+  return points;
+}
+
+}  // namespace
+
+ReadArmBench read_arm(const Section& section, const ReadArm& read) {
+  section.allow_only({"model", "base", "tip", "joint", "tip_xyz", "tip_rpy", "base_xyz", "base_rpy",
+                      "gravity", "joint_stiffness", "point", "load", "encoder"});
+  ReadArmBench result{read_nominal_arm(section, read), {}};
+  const NominalArm& nominal = result.arm;
+  require_physical(nominal.arm);
+  result.bench.points = read_points(section, nominal);
+  result.bench.load = section.has("load") ? on_body(section.table("load"), nominal)
+                                          : OnLink<double>{nominal.arm.size() - 1, nominal.arm.tip};
+  if (section.has("encoder")) {
+    const std::string expected = "\"link\" or \"motor\"", word = section.text("encoder", expected);
+    if (word != "link" && word != "motor") section.refuse("encoder", expected);
+    result.motor_side = word == "motor";
+  }
+  return result;
+}
+
+NominalChain chain_of(const NominalArm& nominal) {
+  NominalChain chain;
+  const SerialArm<double>& arm = nominal.arm;
+  for (std::size_t i = 0; i < arm.size(); ++i) {
+    const double soft = arm.links[i].joint_compliance, long_enough = 1e-3;  // for links whose axes meet
+    chain.link_length.push_back(std::max(long_enough, arm.far_end(i).translation().norm()));
+    chain.joint_stiffness.push_back(soft > 0 ? 1 / soft : 0);
+    chain.link_mass.push_back(arm.links[i].mass);
+  }
+  chain.arm = std::make_shared<const NominalArm>(nominal);
+  return chain;
+}
+
+}  // namespace plumbline::diagnose

@@ -1,0 +1,260 @@
+#include "diagnose/rig/arm_traveller.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline::diagnose {
+namespace {
+
+constexpr int newton_limit = 40;
+constexpr int joint_changes = 8;         // iterations that may change all contacts at once
+constexpr double longest_step = 0.3;     // rad or m
+constexpr double accuracy = 4e-15;       // of coordinates of order one: the next step would be rounding
+constexpr double smallest_slope = 1e-3;  // of a joint within its play, over its stiffness
+
+Vector<double> column(const std::vector<double>& values) {
+  return Eigen::Map<const Vector<double>>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+bool yields_by_law(const Rig& rig, std::size_t joint) {
+  return rig.stiffness[joint] > 0;
+}
+
+}  // namespace
+
+ArmTraveller::ArmTraveller(const Experiment& experiment, const Rig& own, const Run& run, std::size_t sliders)
+    : experiment_(&experiment),
+      on_(own, run.rest),
+      arm_(on_.rig.arm->arm),
+      compliance_(compliance(arm_)),
+      sliders_(sliders),
+      contact_(arm_.size() * sliders_, Contact::sticks),
+      memory_(arm_.size()),
+      command_(run.rest),
+      way_(arm_.size(), 0.0) {
+  Eigen::Index next = 0;
+  for (std::size_t i = 0; i < arm_.size(); ++i) {
+    joint_.push_back(next);
+    if (yields_by_law(on_.rig, i)) compliance_(next, next) = 0;
+    next += yields(arm_.links[i]) ? 7 : 1;
+  }
+}
+
+void ArmTraveller::head_for(const Reading& reading) {
+  const ArmRig& rig = *on_.rig.arm;
+  interval_ = moved_ ? time_step(on_, reading.t - time_) : TimeStep{};
+  interval_.end = reading.t;
+  time_ = reading.t;
+  std::vector<double> rest = reading.rest;
+  for (std::size_t i = 0; i < rest.size(); ++i) {
+    if (moved_ && rest[i] != command_[i]) way_[i] = rest[i] > command_[i] ? 1 : -1;
+    rest[i] += rig.encoder_error(i, rest[i]);
+    if (moved_)
+      memory_[i].led = rest[i] - rest_[i];
+    else
+      memory_[i].angle = rest[i];
+  }
+  command_ = reading.rest;
+  rest_ = rest;
+  on_.turn_to(rest);
+  target_ = commanded(arm_, column(rest));
+  wrenches_.clear();
+  if (!reading.wrench.empty()) {
+    const Vector6<double> wrench =
+        (Eigen::Map<const Vector6<double>>(reading.wrench.data()) - rig.wrench_bias) / (1 + rig.wrench_scale);
+    wrenches_.push_back({rig.load, wrench.head<3>(), wrench.tail<3>()});
+  }
+  hold_weight();
+}
+
+/// The servos know the nominal weight of the arm as it is commanded.
+void ArmTraveller::hold_weight() {
+  held_.setZero(target_.size());
+  const double share = on_.rig.arm->compensated;
+  if (share == 0) return;
+  const SerialArm<double>& nominal = experiment_->arm->arm;
+  const ArmLoads<double> weight =
+      arm_loads(nominal, ArmPosture<double>(nominal, commanded(nominal, column(command_))), {});
+  Eigen::Index next = 0;
+  for (std::size_t i = 0; i < joint_.size(); ++i) {
+    held_(joint_[i]) = share * weight.force(next);
+    next += yields(nominal.links[i]) ? 7 : 1;
+  }
+}
+
+ArmLoads<double> ArmTraveller::loads(const ArmPosture<double>& posture) const {
+  ArmLoads<double> all = arm_loads(arm_, posture, wrenches_);
+  all.force -= held_;
+  for (std::size_t i = 0; i < joint_.size(); ++i) {
+    const Eigen::Vector2d& amount = on_.rig.arm->balance[i];
+    const Eigen::Index k = joint_[i];
+    const double c = std::cos(coordinate_(k)), s = std::sin(coordinate_(k));
+    all.force(k) += amount.dot(Eigen::Vector2d(c, s));
+    all.stiffness(k, k) += amount.dot(Eigen::Vector2d(-s, c));
+  }
+  return all;
+}
+
+void ArmTraveller::balance(const ArmLoads<double>& at, Vector<double>& residual,
+                           Matrix<double>& slope) const {
+  residual = coordinate_ - target_ - compliance_ * at.force;
+  slope = -compliance_ * at.stiffness;
+  slope.diagonal().array() += 1;
+  for (std::size_t i = 0; i < joint_.size(); ++i) {
+    const double stiffness = on_.rig.stiffness[i];
+    if (!yields_by_law(on_.rig, i)) continue;
+    const Eigen::Index k = joint_[i];
+    const double q = coordinate_(k);
+    Torque torque = on_.joint[i].elastic(q, memory_[i]);
+    torque += history_torque(step(), i, q, contacts_of(i));
+    residual(k) = (torque.value - at.force(k)) / stiffness;
+    slope.row(k) = -at.stiffness.row(k) / stiffness;
+    slope(k, k) += std::max(torque.slope / stiffness, smallest_slope);
+  }
+}
+
+double ArmTraveller::newton_step() {
+  balance(loads(ArmPosture<double>(arm_, coordinate_)), residual_, slope_);
+  tangent_.compute(slope_);
+  Vector<double> by = tangent_.solve(residual_);
+  const double length = by.lpNorm<Eigen::Infinity>();
+  if (length > longest_step) by *= longest_step / length;
+  coordinate_ -= by;
+  return length;
+}
+
+bool ArmTraveller::settle_contacts(bool all) {
+  bool changed = false;
+  for (std::size_t i = 0; sliders_ > 0 && i < joint_.size(); ++i) {
+    const JointLaw& law = on_.joint[i];
+    for (std::size_t s = 0; s < law.slider.size(); ++s) {
+      if (interval_.relaxed && !law.slider[s].from_rest) continue;
+      Contact& contact = contact_[i * sliders_ + s];
+      if (!law.slider[s].acts()) {
+        // The slider carries nothing; the direction of vanishing friction opposes the motion.
+        contact = coordinate_(joint_[i]) < memory_[i].angle ? Contact::slips_down : Contact::slips_up;
+        continue;
+      }
+      const Contact next =
+          law.next(law.slider[s], memory_[i].slider[s], coordinate_(joint_[i]), memory_[i], contact);
+      if (next == contact) continue;
+      contact = next;
+      changed = true;
+      if (!all) return true;
+    }
+  }
+  return changed;
+}
+
+/// Joints with play start on the side to which their load pulls them.
+void ArmTraveller::start() {
+  coordinate_ = target_;
+  const std::vector<double>& play = on_.rig.backlash;
+  if (std::all_of(play.begin(), play.end(), [](double b) { return b == 0; })) return;
+  const ArmLoads<double> at = loads(ArmPosture<double>(arm_, coordinate_));
+  for (std::size_t i = 0; i < joint_.size(); ++i)
+    if (const double load = at.force(joint_[i]); load != 0 && yields_by_law(on_.rig, i))
+      coordinate_(joint_[i]) += std::copysign(play[i], load) + load / on_.rig.stiffness[i];
+}
+
+bool ArmTraveller::come_to_rest(bool contacts_hold) {
+  double last = longest_step;
+  for (int i = 0; i < newton_limit; ++i) {
+    const double length = newton_step();
+    if (!std::isfinite(length)) return false;
+    const bool settled = contacts_hold || !settle_contacts(i < joint_changes);
+    const bool rounding = length < 1e-11 && length >= last;
+    if (settled && (rounding || length <= accuracy * (1 + coordinate_.lpNorm<Eigen::Infinity>())))
+      return true;
+    last = length;
+    if (settled && length < 1e-7 && contacts_hold) return newton_step(), true;  // its square is rounding
+  }
+  return false;
+}
+
+void ArmTraveller::yield_at_base() {
+  const Eigen::Vector2d& soft = on_.rig.arm->mount_compliance;
+  const Pose<double>& still = on_.rig.arm->arm.base;
+  const Vector3<double> moment =
+      still.linear().transpose() * moment_on_base(arm_, ArmPosture<double>(arm_, coordinate_), wrenches_);
+  arm_.base = still * rotation_by(Vector3<double>(soft.x() * moment.x(), soft.y() * moment.y(), 0));
+}
+
+bool ArmTraveller::come_to_rest_on_mount(bool contacts_hold) {
+  if (!come_to_rest(contacts_hold)) return false;
+  // The turn of the mount changes the moment on it by its own size, which is small, and that squared is left.
+  for (int i = 0; i < 2 && !on_.rig.arm->mount_compliance.isZero(0); ++i) {
+    yield_at_base();
+    if (!come_to_rest(contacts_hold)) return false;
+  }
+  return true;
+}
+
+bool ArmTraveller::settle() {
+  arm_.base = on_.rig.arm->arm.base;
+  start();
+  return come_to_rest_on_mount(false);
+}
+
+void ArmTraveller::prepare() {
+  balance(loads(ArmPosture<double>(arm_, coordinate_)), residual_, slope_);
+  tangent_.compute(slope_);
+}
+
+bool ArmTraveller::settle_beside(const ArmTraveller& other) {
+  arm_.base = on_.rig.arm->arm.base;
+  contact_ = other.contact_;
+  if (target_.size() != other.target_.size() || !on_.rig.arm->mount_compliance.isZero(0)) {
+    coordinate_ = target_;
+    for (std::size_t i = 0; i < joint_.size(); ++i)
+      coordinate_(joint_[i]) += other.coordinate_(other.joint_[i]) - other.target_(other.joint_[i]);
+    return come_to_rest_on_mount(true);
+  }
+  // In this order, and less what rounding leaves there, an arm that does not differ is the same to the last
+  // bit.
+  coordinate_ = other.coordinate_ + (target_ - other.target_);
+  balance(loads(ArmPosture<double>(arm_, coordinate_)), residual_, slope_);
+  coordinate_ -= other.tangent_.solve(residual_ - other.residual_);
+  return coordinate_.allFinite();
+}
+
+void ArmTraveller::remember() {
+  for (std::size_t i = 0; i < joint_.size(); ++i)
+    diagnose::remember(on_, interval_, i, coordinate_(joint_[i]), contacts_of(i), memory_[i]);
+  moved_ = true;
+}
+
+/// What a drive has to give, beyond the friction of its joint.
+double ArmTraveller::torque_of_drive(std::size_t joint, double load) const {
+  if (!yields_by_law(on_.rig, joint)) return on_.rig.friction[joint] * way_[joint] - load;
+  const RigStep now = step();
+  return history_torque(now, joint, coordinate_(joint_[joint]), contacts_of(joint)).value - load;
+}
+
+void ArmTraveller::write(const Reading& reading, Eigen::Ref<Eigen::ArrayXd> row) const {
+  const ArmRig& rig = *on_.rig.arm;
+  const ArmPosture<double> posture(arm_, coordinate_);
+  for (std::size_t i = 0; i < joint_.size(); ++i) {
+    const double q = coordinate_(joint_[i]) - rig.encoder_error(i, command_[i]);
+    row(column_of({Channel::Name::q, i})) = (1 + rig.angle_scale[i]) * q + rig.angle_bias[i];
+  }
+  for (std::size_t p = 0; p < rig.points.size() && !reading.points.empty(); ++p) {
+    const Pose<double> seen = rig.tracker.inverse() * posture.of(rig.points[p]);
+    const Vector3<double> place = (1 + rig.tracker_scale) * seen.translation();
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      row(column_of({Channel::Name::place, 3 * p + axis})) = place(static_cast<Eigen::Index>(axis));
+    if (std::isnan(reading.points[6 * p + 3])) continue;  // no orientation is read
+    const Pose<double> told =
+        nominal_pose(experiment_->arm->arm, experiment_->arm_bench.points[p].at, command_);
+    const Vector3<double> turn = rotation_vector<double>(told.linear().transpose() * seen.linear());
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      row(column_of({Channel::Name::turn, 3 * p + axis})) = turn(static_cast<Eigen::Index>(axis));
+  }
+  if (reading.torque.empty()) return;
+  const ArmLoads<double> at = loads(posture);
+  for (std::size_t i = 0; i < joint_.size(); ++i)
+    row(column_of({Channel::Name::drive, i})) =
+        (1 + rig.torque_scale[i]) * torque_of_drive(i, at.force(joint_[i])) + rig.torque_bias[i];
+}
+
+}  // namespace plumbline::diagnose

@@ -1,0 +1,129 @@
+#include "diagnose/bench/read_arm.hpp"
+
+#include <doctest/doctest.h>
+
+#include <map>
+#include <numbers>
+#include <plumbline/base/error.hpp>
+
+#include "diagnose/bench/read_experiment.hpp"
+#include "tests/close_to.hpp"
+
+using namespace plumbline;
+using namespace plumbline::diagnose;
+
+namespace {
+
+const std::string settings = R"(format = "chain-experiment/1"
+name = "two axes"
+[arm]
+tip_xyz = [0.3, 0, 0]
+[[arm.joint]]
+name = "shoulder"
+xyz = [0, 0, 0.4]
+mass = 2
+centre = [0.1, 0, 0]
+stiffness = 5000
+[[arm.joint]]
+name = "elbow"
+xyz = [0.25, 0, 0]
+axis = [0, 2, 0]
+[noise]
+place = 0.01
+[units]
+place = "mm"
+angle = "deg"
+[[run]]
+id = "one"
+samples = "one.csv"
+)";
+const std::string table =
+    "t,q_command1,q_command2,tip_x,tip_y,tip_z,weight\n0,0,0,550,0,400,0\n1,90,0,0,550,400,1.5\n";
+
+/// An experiment with a text of its settings, and of its table, replaced.
+Experiment read(const std::string& old_settings = "", const std::string& new_settings = "",
+                const std::string& old_table = "", const std::string& new_table = "") {
+  std::map<std::string, std::string> files{{"experiment.toml", settings}, {"one.csv", table}};
+  const auto replace = [&](const std::string& file, const std::string& from, const std::string& to) {
+    if (from.empty()) return;
+    const std::size_t at = files[file].find(from);
+    REQUIRE(at != std::string::npos);
+    files[file].replace(at, from.size(), to);
+  };
+  replace("experiment.toml", old_settings, new_settings);
+  replace("one.csv", old_table, new_table);
+  return read_experiment("arm", [&](const std::string& name, const std::string&) { return files.at(name); });
+}
+
+}  // namespace
+
+TEST_CASE("an arm is read joint by joint, its poses in their units") {
+  const Experiment experiment = read();
+  REQUIRE(experiment.arm);
+  const SerialArm<double>& arm = experiment.arm->arm;
+  REQUIRE(arm.size() == 2);
+  CHECK(experiment.arm->joint[1] == "elbow");
+  CHECK(arm.links[0].joint_compliance == close_to(1.0 / 5000));
+  CHECK(arm.links[1].joint_compliance == 0);
+  CHECK(arm.links[1].axis == Vector3<double>(0, 1, 0));
+  CHECK(experiment.link_length == std::vector<double>{0.25, 0.3});
+  CHECK(experiment.noise.place == close_to(1e-5));
+  const Reading& second = experiment.runs[0].readings[1];
+  CHECK(second.rest[0] == close_to(std::numbers::pi / 2));
+  CHECK(second.points[1] == close_to(0.55));
+  CHECK(std::isnan(second.points[3]));
+  CHECK(second.wrench[2] == close_to(-1.5 * 9.81));
+  const std::vector<Channel> measured = experiment.runs[0].measured();
+  CHECK(std::find(measured.begin(), measured.end(), Channel{Channel::Name::place, 2}) != measured.end());
+}
+
+TEST_CASE("a pose is read as a rotation from the nominal orientation") {
+  // the arm turned by a quarter about z, and by 0.1 rad more
+  const double half = (std::numbers::pi / 2 + 0.1) / 2;
+  const std::string quaternion = std::to_string(std::cos(half)) + ",0,0," + std::to_string(std::sin(half));
+  const Experiment experiment = read("place = 0.01", "place = 0.01\nturn = 0.1", table,
+                                     "q_command1,q_command2,tip_qw,tip_qx,tip_qy,tip_qz\n90,0," + quaternion +
+                                         "\n0,0,1,0,0,0\n0,0,1,0,0,0\n");
+  // six digits after the point
+  CHECK(experiment.runs[0].readings[0].points[5] == doctest::Approx(0.1).epsilon(1e-4));
+  CHECK(std::abs(experiment.runs[0].readings[1].points[5]) < 1e-15);
+}
+
+TEST_CASE("slips in an arm's experiment are told in one line") {
+  const auto complaint = [](const std::string& a, const std::string& b, const std::string& c = "",
+                            const std::string& d = "") {
+    try {
+      static_cast<void>(read(a, b, c, d));
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  CHECK(complaint("name = \"elbow\"", "name = \"shoulder\"").find("\"shoulder\" again") != std::string::npos);
+  CHECK(complaint("axis = [0, 2, 0]", "axis = [0, 0, 0]").find("a direction, which is not zero") !=
+        std::string::npos);
+  CHECK(complaint("mass = 2", "mass = -2").find("mass") != std::string::npos);
+  CHECK(complaint("angle = \"deg\"", "angle = \"rad\"").find("units.angle = \"deg\"") != std::string::npos);
+  CHECK(complaint("tip_xyz", "tip_rpy = [0, 90, 0]\ntip_xyz").find("in radians") != std::string::npos);
+  CHECK(complaint("[arm]\n", "[arm]\nmodel = \"a.urdf\"\n").find("arm.model and arm.joint") !=
+        std::string::npos);
+  CHECK(complaint("[noise]", "[[arm.point]]\nname = \"ball\"\nbody = \"hand\"\n[noise]")
+            .find("found \"hand\"") != std::string::npos);
+  CHECK(complaint("[noise]", "[[arm.point]]\nname = \"a\"\n[[arm.point]]\nname = \"a\"\n[noise]")
+            .find("\"a\" again") != std::string::npos);
+  CHECK(complaint("", "", "weight", "mass").find("a column 'mass'") != std::string::npos);
+  CHECK(complaint("", "", "q_command2", "elbow").find("a column 'elbow'") != std::string::npos);
+  CHECK(complaint("", "", "1,90,0,0", "1,,0,0").find("an empty field, expected the commanded angle") !=
+        std::string::npos);
+  CHECK(complaint("", "", "tip_x,tip_y,tip_z,weight\n0,0,0,550,0,400,0\n",
+                  "tip_qw,tip_qx,tip_qy,tip_qz\n0,0,0,1,1,0,0\n")
+            .find("a quaternion of length") != std::string::npos);
+  CHECK(complaint("place = 0.01", "place = 0").find("noise.place") != std::string::npos);
+}
+
+TEST_CASE("quaternions whose first number is x are asked about") {
+  const std::string header = "q_command1,q_command2,tip_qw,tip_qx,tip_qy,tip_qz\n";
+  CHECK_THROWS_WITH_AS(static_cast<void>(read("place = 0.01", "turn = 0.1", table,
+                                              header + "0,0,0,0,0,1\n90,0,0,0,0.7071,0.7071\n0,0,0,0,0,1\n")),
+                       doctest::Contains("their first number is x"), Error);
+}
