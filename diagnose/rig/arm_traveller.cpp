@@ -10,7 +10,7 @@ constexpr int newton_limit = 40;
 constexpr int joint_changes = 8;         // iterations that may change all contacts at once
 constexpr double longest_step = 0.3;     // rad or m
 constexpr double accuracy = 4e-15;       // of coordinates of order one: the next step would be rounding
-constexpr double smallest_slope = 1e-3;  // of a joint within its play, over its stiffness
+constexpr double smallest_slope = 1e-6;  // of a joint that its load holds within its play, over its stiffness
 
 Vector<double> column(const std::vector<double>& values) {
   return Eigen::Map<const Vector<double>>(values.data(), static_cast<Eigen::Index>(values.size()));
@@ -109,7 +109,7 @@ void ArmTraveller::balance(const ArmLoads<double>& at, Vector<double>& residual,
     torque += history_torque(step(), i, q, contacts_of(i));
     residual(k) = (torque.value - at.force(k)) / stiffness;
     slope.row(k) = -at.stiffness.row(k) / stiffness;
-    slope(k, k) += std::max(torque.slope / stiffness, smallest_slope);
+    slope(k, k) = std::max(slope(k, k) + torque.slope / stiffness, smallest_slope);
   }
 }
 

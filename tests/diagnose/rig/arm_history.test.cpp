@@ -89,7 +89,11 @@ TEST_CASE("a rigid arm stands where it is commanded") {
 TEST_CASE("an effect of amount zero is the nominal arm, another is not, and sensitivities are differences") {
   for (const NominalArm& arm : {industrial_arm(), collaborative_arm()}) {
     Experiment experiment = arm_bench(arm, 16, {true, true, true});
-    for (Run& run : experiment.runs) run.by_weights = false;
+    for (Run& run : experiment.runs) {
+      run.by_weights = false;
+      // a weight alone does not load an upright axis
+      for (Reading& reading : run.readings) reading.wrench = {12, -7, -30, 0.4, 0.3, -0.5};
+    }
     const Study study(experiment);
     const std::vector<EffectAt> possible = possible_effects(study);
     for (const EffectAt& at : possible) {
