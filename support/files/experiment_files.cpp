@@ -23,11 +23,13 @@ void add_names(const toml::node_view<const toml::node>& samples, std::vector<std
   }
 }
 
-/// All names of sample files; none where the file is not one that the diagnosis can read, which it will say.
-std::vector<std::string> sample_names(const fs::path& settings) {
+/// The names of sample files and of an arm's model; none where the file is not one that the diagnosis can
+/// read, which it will say.
+std::vector<std::string> named_files(const fs::path& settings) {
   std::vector<std::string> names;
   try {
     const toml::table table = parse_toml(read_text(settings), settings.string());
+    if (const auto model = table["arm"]["model"].value<std::string>()) names.push_back(*model);
     const toml::array* runs = table["run"].as_array();
     for (std::size_t i = 0; runs != nullptr && i < runs->size(); ++i)
       if (const toml::table* run = runs->get(i)->as_table()) add_names((*run)["samples"], names);
@@ -57,7 +59,7 @@ std::vector<fs::path> experiment_files(const fs::path& folder) {
   const fs::path settings = "experiment.toml";
   if (!may_be_seen(folder, settings)) return files;
   files.push_back(settings);
-  for (const std::string& name : sample_names(folder / settings))
+  for (const std::string& name : named_files(folder / settings))
     if (may_be_seen(folder, name)) files.emplace_back(name);
   return files;
 }

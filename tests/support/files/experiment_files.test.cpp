@@ -27,6 +27,20 @@ TEST_CASE("an experiment is its settings and the samples that they name") {
   CHECK(experiment_files(here / "nowhere").empty());
 }
 
+TEST_CASE("the model of an arm is of the experiment, whatever the arm is") {
+  const Folder here;
+  here.write("arm.urdf", "");
+  for (const char* text :
+       {"[arm]\nmodel = 'arm.urdf'\n", "arm.model = 'arm.urdf'\nrun = [{ samples = 'a.csv' }]\n"}) {
+    here.write("experiment.toml", text);
+    CHECK(experiment_files(here.path()) == std::vector<fs::path>{"experiment.toml", "arm.urdf"});
+  }
+  for (const char* text : {"arm = 1", "[[arm]]\nmodel = 'arm.urdf'", "[arm]\nmodel = 2"}) {
+    here.write("experiment.toml", text);
+    CHECK(experiment_files(here.path()) == std::vector<fs::path>{"experiment.toml"});
+  }
+}
+
 TEST_CASE("settings that cannot be read name no samples: who reads them says why") {
   const Folder here;
   for (const char* text : {"run = 1", "run = [1, {}, { samples = 2 }]", "no TOML"}) {
