@@ -8,7 +8,8 @@
 namespace plumbline::files {
 
 /// What a diagnosis may see of an experiment, as paths inside its folder: experiment.toml and the samples
-/// and the model of an arm that it names. Not what lies outside the folder (behind a link, too), is no plain file, or is the label.
+/// and the model of an arm that it names. Not what lies outside the folder (behind a link, too), is no plain
+/// file, or is the label.
 std::vector<std::filesystem::path> experiment_files(const std::filesystem::path& folder);
 
 /// The same with the folder before each; none of no folder.

@@ -15,8 +15,8 @@ std::string file_of(const char* ending) {
 
 }  // namespace
 
-/// A simulator's model: what its parser lets through is to be an arm, and a planar chain. The first letter says
-/// which format: a line of "m" MJCF, "u" URDF, "s" SDF, and the file behind it.
+/// A simulator's model: what its parser lets through is to be an arm, and a planar chain. The first letter
+/// says which format: a line of "m" MJCF, "u" URDF, "s" SDF, and the file behind it.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   static const std::string mjcf = file_of(".xml"), urdf = file_of(".urdf"), sdf = file_of(".sdf");
   static const int removed = std::atexit([] {

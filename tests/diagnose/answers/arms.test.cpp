@@ -11,7 +11,7 @@ using namespace plumbline::diagnose::test;
 
 namespace {
 
-bool names(const Diagnosis& diagnosis, const EffectAt& at) {
+bool names_effect(const Diagnosis& diagnosis, const EffectAt& at) {
   for (std::size_t i = 0; i < diagnosis.cause.named; ++i)
     if (diagnosis.cause.ranking[i].cause.has(at)) return true;
   return false;
@@ -64,8 +64,8 @@ TEST_CASE(
       if (strength < 10) continue;  // no reading shows it
       const Diagnosis diagnosis = diagnose::diagnose(study);
       ++planted;
-      named += names(diagnosis, at);
-      if (!names(diagnosis, at)) {
+      named += names_effect(diagnosis, at);
+      if (!names_effect(diagnosis, at)) {
         std::string said = verdict_word(diagnosis.cause.verdict);
         for (std::size_t i = 0; i < std::min<std::size_t>(3, diagnosis.cause.ranking.size()); ++i)
           said += ", " + diagnosis.cause.ranking[i].cause.label();
@@ -77,6 +77,6 @@ TEST_CASE(
       CHECK(found < true_squares + 40);  // a simpler cause may be the more probable, with as many sigmas left
     }
     MESSAGE(named << " of " << planted << " named");
-    CHECK(named > 0.85 * planted);
+    CHECK(100 * named > 85 * planted);
   }
 }

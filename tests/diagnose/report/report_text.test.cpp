@@ -35,6 +35,8 @@ const std::string gap_in_words =
     "would look the same\n"
     "  outlier: Fx at reading 5 of press-1, +12.3 standard deviations\n"
     "  all forces of load-2 point straight down without noise: assumed to be weights\n"
+    "  press-1b goes on where press-1 ends, in time and command: read as one run\n"
+    "  temperature has no value at 3 of 9 readings of load-2: interpolated in time\n"
     "  from reading 3 of press-1 on the chain is on the other post-critical branch, which imperfections "
     "choose; "
     "the model is started on the same one\n";

@@ -107,6 +107,12 @@ TEST_CASE("an effect of amount zero is the nominal arm, another is not, and sens
       const std::vector<double> values = some_of(study, at, 1);
       const Prediction some = predict(study, candidate, values, true);
       REQUIRE(some.reached);
+      // what turns about an upright first axis weighs alike everywhere, and a length of nothing has no scale
+      const bool of_first_link =
+          at.joint == 1 && (at.effect->id == "link_mass" || at.effect->id == "link_centre");
+      const bool of_no_length =
+          at.effect->id == "link_length" && arm.arm.links[at.joint].frame.translation().norm() == 0;
+      if (of_first_link || of_no_length) continue;
       CHECK(largest_difference(study, some, study.nominal()) > 1e-3);
       if (at.effect->dissipates || at.effect->id == "backlash" || at.effect->id == "play") continue;  // kinks
       for (std::size_t p = 0; p < values.size(); ++p) {
