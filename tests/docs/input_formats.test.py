@@ -126,7 +126,7 @@ def column_keys(folder, schema):
     for channel in ("x", "q"):
         fault = experiment_fault(folder, changed("[columns]", lambda table, at=channel: table.update({at: {"zz": 1}})))
         read |= set(re.search(r"an unknown key, expected one of (.*)", fault)[1].split())
-    for node in (schema["$defs"]["column"], schema["$defs"]["columns"]["properties"]["q"]):
+    for node in (schema["$defs"]["column"], schema["$defs"]["angles"]):
         shown |= set(node["anyOf"][1]["properties"])
     assert read == named == shown, (read, named, shown)
 
@@ -142,12 +142,13 @@ def units(folder):
 
 
 def repository_experiments():
-    validator = Draft202012Validator(schema_of("experiment"))
+    chains, arms = (Draft202012Validator(schema_of(name)) for name in ("experiment", "arm-experiment"))
     found = [path for path in ROOT.glob("**/experiment.toml") if not path.relative_to(ROOT).parts[0].startswith("build")]
     assert found
     labels = Draft202012Validator(schema_of("label"))
     for path in found:
-        validator.validate(tomllib.loads(path.read_text(encoding="utf-8")))
+        settings = tomllib.loads(path.read_text(encoding="utf-8"))
+        (arms if "arm" in settings else chains).validate(settings)
         if (path.parent / "label.json").exists():
             labels.validate(json.loads((path.parent / "label.json").read_text(encoding="utf-8")))
     for block in blocks(EXPERIMENTS):

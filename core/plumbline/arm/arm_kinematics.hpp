@@ -14,10 +14,11 @@ namespace plumbline {
 /// A freedom at one posture of the arm, in the world.
 template <Floating Real>
 struct ArmFreedom {
-  JointKind kind;
-  std::size_t link;  ///< that it moves, or whose far end it is of
-  bool of_joint;     ///< else of the far end
-  Vector3<Real> axis, origin;
+  JointKind kind;        ///< whether it turns or slides
+  std::size_t link;      ///< that it moves, or whose far end it is of
+  bool of_joint;         ///< else of the far end
+  Vector3<Real> axis;    ///< unit vector
+  Vector3<Real> origin;  ///< a point on the axis, m
 
   /// Velocity of a point beyond it, by its rate.
   [[nodiscard]] Vector3<Real> velocity(const Vector3<Real>& point) const {
@@ -46,9 +47,10 @@ std::size_t freedoms(const SerialArm<Real>& arm) {
 /// A point or frame that a link carries.
 template <Floating Real>
 struct OnLink {
-  std::size_t link;
+  std::size_t link;                           ///< from 0
   Pose<Real> frame = Pose<Real>::Identity();  ///< in that of the link
 
+  /// Whether link and frame are the same.
   friend bool operator==(const OnLink& a, const OnLink& b) {
     return a.link == b.link && a.frame.matrix() == b.frame.matrix();
   }
@@ -86,6 +88,7 @@ class ArmPosture {
   [[nodiscard]] Pose<Real> of(const OnLink<Real>& one) const {
     return (one.link + 1 < frame_.size() ? frame_[one.link] : beyond_last_) * one.frame;
   }
+  /// All freedoms, from the base on.
   [[nodiscard]] const std::vector<ArmFreedom<Real>>& freedoms() const { return freedom_; }
   /// Number of freedoms that move what a link carries: those before its far end, or all for the last link.
   [[nodiscard]] std::size_t moved_by(std::size_t link) const {

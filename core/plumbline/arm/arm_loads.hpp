@@ -9,7 +9,7 @@ namespace plumbline {
 /// A wrench on a point that a link carries. Its force and moment keep their direction in the world.
 template <Floating Real>
 struct ArmWrench {
-  OnLink<Real> at;
+  OnLink<Real> at;                               ///< the point
   Vector3<Real> force = Vector3<Real>::Zero();   ///< N
   Vector3<Real> moment = Vector3<Real>::Zero();  ///< N m
 };
@@ -17,9 +17,11 @@ struct ArmWrench {
 /// What acts beyond a freedom: forces F at points p, and moments.
 template <Floating Real>
 struct LoadBeyond {
-  Vector3<Real> force = Vector3<Real>::Zero(), moment = Vector3<Real>::Zero();  ///< their sums
-  Eigen::Matrix<Real, 3, 3> dyad = Eigen::Matrix<Real, 3, 3>::Zero();           ///< sum of p F'
+  Vector3<Real> force = Vector3<Real>::Zero();                         ///< sum of the forces, N
+  Vector3<Real> moment = Vector3<Real>::Zero();                        ///< sum of the moments, N m
+  Eigen::Matrix<Real, 3, 3> dyad = Eigen::Matrix<Real, 3, 3>::Zero();  ///< sum of p F'
 
+  /// Adds a force at a point.
   void add(const Vector3<Real>& f, const Vector3<Real>& at) {
     force += f;
     dyad += at * f.transpose();
@@ -33,8 +35,8 @@ struct LoadBeyond {
 /// Generalised forces on all freedoms, and their derivatives by the coordinates, a row a force.
 template <Floating Real>
 struct ArmLoads {
-  Vector<Real> force;
-  Matrix<Real> stiffness;
+  Vector<Real> force;      ///< N m or N, one a freedom
+  Matrix<Real> stiffness;  ///< its derivatives
 };
 
 /// Loads beyond each freedom, from the last to the first. Moments have no potential: their part of the

@@ -21,23 +21,29 @@
 
 namespace plumbline {
 
+/// A point or a vector, x, y, z.
 template <Floating Real>
 using Vector3 = Eigen::Matrix<Real, 3, 1>;
 /// Of a twist: translation, then rotation; of a wrench: force, then moment.
 template <Floating Real>
 using Vector6 = Eigen::Matrix<Real, 6, 1>;
+/// Of a twist by a wrench: a compliance, or the reverse: a stiffness.
 template <Floating Real>
 using Matrix6 = Eigen::Matrix<Real, 6, 6>;
 /// A rigid motion: the frame that it is of, in the frame that it is in.
 template <Floating Real>
 using Pose = Eigen::Transform<Real, 3, Eigen::Isometry>;
 
-enum class JointKind { revolute, prismatic };
+/// The motions of a joint.
+enum class JointKind {
+  revolute,  ///< turns about its axis
+  prismatic  ///< slides along it
+};
 
 /// A link and the joint that moves it against the link before, the first against the base.
 template <Floating Real>
 struct ArmLink {
-  JointKind kind = JointKind::revolute;
+  JointKind kind = JointKind::revolute;  ///< of the joint
   /// Of the link at joint coordinate zero, in the frame of the link before, or of the base. The joint's axis
   /// goes through its origin.
   Pose<Real> frame = Pose<Real>::Identity();
@@ -49,6 +55,7 @@ struct ArmLink {
   /// the origin of the next link's frame, or the tip. Symmetric; zero is rigid.
   Matrix6<Real> compliance = Matrix6<Real>::Zero();
 
+  /// Whether all numbers are the same.
   friend bool operator==(const ArmLink& a, const ArmLink& b) {
     return a.kind == b.kind && a.frame.matrix() == b.frame.matrix() && a.axis == b.axis &&
            a.joint_compliance == b.joint_compliance && a.mass == b.mass && a.centre == b.centre &&
@@ -64,11 +71,13 @@ struct SerialArm {
   std::vector<ArmLink<Real>> links;                                 ///< from the base on
   Pose<Real> tip = Pose<Real>::Identity();                          ///< in the frame of the last link
 
+  /// Number of links, and of joints.
   [[nodiscard]] std::size_t size() const { return links.size(); }
   /// The far end of a link, in its frame: the next link's frame, or the tip.
   [[nodiscard]] const Pose<Real>& far_end(std::size_t link) const {
     return link + 1 < size() ? links[link + 1].frame : tip;
   }
+  /// Whether all numbers are the same.
   friend bool operator==(const SerialArm& a, const SerialArm& b) {
     return a.base.matrix() == b.base.matrix() && a.gravity == b.gravity && a.links == b.links &&
            a.tip.matrix() == b.tip.matrix();
