@@ -153,7 +153,7 @@ def repository_experiments():
             labels.validate(json.loads((path.parent / "label.json").read_text(encoding="utf-8")))
     for block in blocks(EXPERIMENTS):
         if block.attributes.get("file", "").endswith("press/experiment.toml"):
-            validator.validate(tomllib.loads(block.text))
+            chains.validate(tomllib.loads(block.text))
 
 
 def chains(folder):

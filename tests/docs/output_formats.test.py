@@ -17,7 +17,10 @@ from documents import ROOT, SCHEMAS, keys, tables
 from program import plumbline
 
 # Properties that no command below has reason to write: a certificate that fails.
-RARE = {"gap-diagnosis": {"/law/laws/relaxation/time_constant", "/law/laws/relaxation/stiffness"},
+RARE = {"gap-diagnosis": {"/law/laws/relaxation/time_constant", "/law/laws/relaxation/stiffness",
+                          # tests of the report write these: report_text, draft_of_shapes
+                          *(f"/gap/continued_runs/{key}" for key in ("run", "by")),
+                          *(f"/gap/interpolated/{key}" for key in ("run", "covariate", "readings", "of"))},
         "path": {"/certificates/failure/load", "/certificates/failure/reason"}}
 
 
@@ -153,7 +156,8 @@ def reports(folder):
         assert (len(files) > 1) == (report["cause"]["verdict"] == "ambiguous"), files
     assert bundled["cause"]["verdict"] == "identified"
     edited = written("diagnose", "no-gap", "--model", "no-gap.xml", "--corrected", "edited.xml", folder=folder)
-    hold("gap-diagnosis", [*verdicts.values(), on_its_side, rough, partly, humming, slip, bundled, edited])
+    arm = written("diagnose", str(SCHEMAS.parent / "examples" / "arm"), folder=folder)
+    hold("gap-diagnosis", [*verdicts.values(), on_its_side, rough, partly, humming, slip, bundled, edited, arm])
 
 
 def trial(folder):
