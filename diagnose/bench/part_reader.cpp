@@ -1,12 +1,10 @@
 #include "diagnose/bench/part_reader.hpp"
 
-#include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <limits>
-#include <plumbline/base/error.hpp>
-#include <system_error>
+#include <optional>
+#include <utility>
 
+#include "diagnose/bench/field.hpp"
 #include "support/files/printable.hpp"
 
 namespace plumbline::diagnose {
@@ -36,16 +34,14 @@ double PartReader::value(std::size_t c, std::size_t row) const {
   if (is_no_force(c)) return 0;
   if (!places_[c]) return c == place_t ? static_cast<double>(readings_before_ + row) : not_given;
   const std::string text = field(c, row);
-  if (text.empty()) return not_given;
-  const double plain = number(text, c, row);
-  if (column.as_is()) return plain;
+  if (text.empty() || column.as_is()) return nearest_double(text);
   const Mpfr50 exact = Mpfr50(column.sign) * (Mpfr50(text) - zeros_[c]) * column.unit.factor;
   return exact.convert_to<double>();
 }
 
 bool PartReader::is_empty(std::size_t row) const {
   for (std::size_t c = place_t + 1; c < places_.size(); ++c)
-    if (places_[c] && !is_missing(part_.table.rows[row].fields[*places_[c]])) return false;
+    if (places_[c] && !is_missing(part_.table.rows[row].fields[*places_[c]], format())) return false;
   return true;
 }
 
@@ -63,37 +59,13 @@ bool PartReader::is_no_force(std::size_t c) const {
   return format().commanded && (c == place_Fx || c == place_Fy) && !has(c);
 }
 
-bool PartReader::is_missing(const std::string& field) const {
-  const std::vector<std::string>& entries = format().missing;
-  return field.empty() || std::find(entries.begin(), entries.end(), field) != entries.end();
-}
-
-/// A field with a decimal point; empty for a missing value.
+/// A number with a decimal point; empty for a missing value.
 std::string PartReader::field(std::size_t c, std::size_t row) const {
-  std::string text = part_.table.rows[row].fields[*places_[c]];
-  if (is_missing(text)) return "";
-  if (text.starts_with('+')) text.erase(0, 1);
-  if (format().decimal == '.') return text;
-  if (text.find('.') != std::string::npos) refuse(c, row);
-  std::replace(text.begin(), text.end(), ',', '.');
-  return text;
-}
-
-void PartReader::refuse(std::size_t c, std::size_t row) const {
   const std::string& text = part_.table.rows[row].fields[*places_[c]];
-  const bool comma = format().decimal == '.' && text.find(',') != std::string::npos;
-  throw Error(where(row) + ", " + files::shown(column_title(part_.table, *places_[c])),
-              "'" + files::shown(text) + "'",
-              std::string("a finite number or an empty field") +
-                  (comma ? "; csv.decimal = \",\" reads decimal commas" : ""));
-}
-
-double PartReader::number(const std::string& text, std::size_t c, std::size_t row) const {
-  double value = 0;
-  const char* const end = text.data() + text.size();
-  const auto [stop, fault] = std::from_chars(text.data(), end, value);
-  if (fault != std::errc() || stop != end || !std::isfinite(value)) refuse(c, row);
-  return value;
+  std::optional<std::string> decimal = decimal_in(text, format());
+  if (!decimal)
+    refuse_field(text, format(), where(row) + ", " + files::shown(column_title(part_.table, *places_[c])));
+  return *std::move(decimal);
 }
 
 /// The reading that stands for 0.
@@ -101,7 +73,7 @@ Mpfr50 PartReader::zero(std::size_t c) const {
   const Column& column = format().columns[c];
   for (std::size_t row = 0; column.zero_is_first && places_[c] && row < rows(); ++row) {
     const std::string text = field(c, row);
-    if (!text.empty() && std::isfinite(number(text, c, row))) return Mpfr50(text);
+    if (!text.empty()) return Mpfr50(text);
   }
   return Mpfr50(column.zero);
 }

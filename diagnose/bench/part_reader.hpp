@@ -37,10 +37,7 @@ class PartReader {
 
  private:
   [[nodiscard]] bool is_no_force(std::size_t c) const;
-  [[nodiscard]] bool is_missing(const std::string& field) const;
   [[nodiscard]] std::string field(std::size_t c, std::size_t row) const;
-  [[noreturn]] void refuse(std::size_t c, std::size_t row) const;
-  [[nodiscard]] double number(const std::string& text, std::size_t c, std::size_t row) const;
   [[nodiscard]] Mpfr50 zero(std::size_t c) const;
 
   const SamplePart& part_;

@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <optional>
 #include <plumbline/base/error.hpp>
 
+#include "diagnose/bench/field.hpp"
 #include "diagnose/bench/median.hpp"
 #include "support/files/printable.hpp"
 
@@ -99,9 +99,7 @@ class PoseReader {
   enum class Turn { none, vector, quaternion };
 
   [[nodiscard]] std::string header() const { return source_ + ":" + std::to_string(table_.header_line); }
-  [[nodiscard]] std::string where(std::size_t row) const {
-    return source_ + ":" + std::to_string(table_.rows[row].line);
-  }
+  [[nodiscard]] std::string where(std::size_t row) const { return table_.place_of(row, source_); }
   [[nodiscard]] bool has_any(const ColumnNames& names) const {
     return std::any_of(names.begin(), names.end(),
                        [&](const std::string& one) { return place_.contains(one); });
@@ -147,19 +145,10 @@ class PoseReader {
   }
 
   [[nodiscard]] double number(const std::string& name, std::size_t row) const {
-    const SampleFormat& csv = format_.csv;
-    std::string text = table_.rows[row].fields[place_.at(name)];
-    if (text.empty() || std::find(csv.missing.begin(), csv.missing.end(), text) != csv.missing.end())
-      return no_value;
-    if (text.starts_with('+')) text.erase(0, 1);
-    if (csv.decimal == ',') std::replace(text.begin(), text.end(), ',', '.');
-    double value = 0;
-    const char* const end = text.data() + text.size();
-    const auto [stop, fault] = std::from_chars(text.data(), end, value);
-    if (fault != std::errc() || stop != end || !std::isfinite(value))
-      throw Error(where(row) + ", " + files::shown(name), "'" + files::shown(text) + "'",
-                  "a finite number or an empty field");
-    return value;
+    const std::string& text = table_.rows[row].fields[place_.at(name)];
+    const std::optional<std::string> decimal = decimal_in(text, format_.csv);
+    if (!decimal) refuse_field(text, format_.csv, where(row) + ", " + files::shown(name));
+    return nearest_double(*decimal);
   }
 
   [[nodiscard]] double in(const Unit& unit, const std::string& name, std::size_t row) const {
