@@ -37,10 +37,8 @@ Pose<double> pose(const Section& section, const char* place, const char* turn) {
 ArmLink<double> read_link(const Section& joint) {
   joint.allow_only({"name", "link", "kind", "xyz", "rpy", "axis", "stiffness", "mass", "centre", "limits"});
   ArmLink<double> link;
-  const std::string expected = "\"revolute\" or \"prismatic\"";
-  const std::string kind = joint.has("kind") ? joint.text("kind", expected) : "revolute";
-  if (kind != "revolute" && kind != "prismatic") joint.refuse("kind", expected);
-  link.kind = kind == "revolute" ? JointKind::revolute : JointKind::prismatic;
+  if (joint.has("kind") && joint.one_of("kind", {"revolute", "prismatic"}) == "prismatic")
+    link.kind = JointKind::prismatic;
   link.frame = pose(joint, "xyz", "rpy");
   link.axis = vector_or(joint, "axis", Vector3<double>(0, 0, 1));
   if (!(link.axis.norm() > 0)) joint.refuse("axis", "a direction, which is not zero");
@@ -147,11 +145,7 @@ ReadArmBench read_arm(const Section& section, const ReadArm& read) {
   result.bench.points = read_points(section, nominal);
   result.bench.load = section.has("load") ? on_body(section.table("load"), nominal)
                                           : OnLink<double>{nominal.arm.size() - 1, nominal.arm.tip};
-  if (section.has("encoder")) {
-    const std::string expected = "\"link\" or \"motor\"", word = section.text("encoder", expected);
-    if (word != "link" && word != "motor") section.refuse("encoder", expected);
-    result.motor_side = word == "motor";
-  }
+  if (section.has("encoder")) result.motor_side = section.one_of("encoder", {"link", "motor"}) == "motor";
   return result;
 }
 

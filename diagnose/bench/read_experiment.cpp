@@ -71,12 +71,9 @@ NominalChain in_si(NominalChain chain, const Units& units) {
 }
 
 Bench::Plane plane(const Section& bench) {
-  const std::string expected = "\"vertical\", \"horizontal\" or \"unknown\"";
-  const std::string word = bench.text("gravity_plane", expected);
+  const std::string word = bench.one_of("gravity_plane", {"vertical", "horizontal", "unknown"});
   if (word == "vertical") return Bench::Plane::vertical;
-  if (word == "horizontal") return Bench::Plane::horizontal;
-  if (word == "unknown") return Bench::Plane::unknown;
-  throw Error(bench.place("gravity_plane"), "\"" + word + "\"", expected);
+  return word == "horizontal" ? Bench::Plane::horizontal : Bench::Plane::unknown;
 }
 
 /// \param alone  a joint without a link has no weight
@@ -164,9 +161,7 @@ bool read_by_weights(const Section& section, const Run& run, const Experiment& e
   const auto loaded = [&](const Reading& reading) { return run.imposed_at(reading).norm() > 0; };
   if (run.commands_joints() && std::none_of(run.readings.begin(), run.readings.end(), loaded)) return true;
   if (!section.has("loaded_by")) return pulls_as_weights_do(run, experiment);
-  const std::string expected = "\"servo\" or \"weights\"";
-  const std::string word = section.text("loaded_by", expected);
-  if (word != "servo" && word != "weights") section.refuse("loaded_by", expected);
+  const std::string word = section.one_of("loaded_by", {"servo", "weights"});
   if (word == "weights" && run.holds_end_point())
     section.refuse("loaded_by", "nothing, or \"servo\", where the end point is put");
   return word == "weights";
@@ -185,9 +180,7 @@ void read_samples_of(const Section& section, const Shared& shared, bool commande
 /// Whether the first reading was taken on the way.
 bool read_beginning(const Section& section, const Run& run) {
   if (!section.has("begins")) return false;
-  const std::string expected = "\"relaxed\" or \"moving\"";
-  const std::string word = section.text("begins", expected);
-  if (word != "relaxed" && word != "moving") section.refuse("begins", expected);
+  const std::string word = section.one_of("begins", {"relaxed", "moving"});
   if (word == "moving" && run.holds_end_point() && run.alone == Alone::no)
     section.refuse("begins", "nothing, or \"relaxed\", where the end point is put");
   return word == "moving";
@@ -212,9 +205,7 @@ Run read_run(const Section& section, const Shared& shared) {
   run.alone = shared.experiment.alone;
   const std::string place = run.alone == Alone::turns ? "angle" : "displacement",
                     load = run.alone == Alone::turns ? "torque" : "force",
-                    expected = "\"" + place + "\", \"" + load + "\" or \"command\"",
-                    control = section.text("control", expected);
-  if (control != place && control != load && control != "command") section.refuse("control", expected);
+                    control = section.one_of("control", {place, load, "command"});
   const bool commanded = control == "command";
   run.control = control == place ? Control::end_point : Control::force;
   if (commanded && section.has("rest"))
@@ -284,10 +275,8 @@ Run read_poses_of(const Section& section, const Source& source, const PoseFormat
     run.readings.insert(run.readings.end(), more.begin(), more.end());
   }
   run.rest = run.readings.front().rest;
-  const std::string expected = "\"weights\" or \"servo\"";
-  const std::string word = section.has("loaded_by") ? section.text("loaded_by", expected) : "weights";
-  if (word != "weights" && word != "servo") section.refuse("loaded_by", expected);
-  run.by_weights = word == "weights";
+  run.by_weights =
+      !section.has("loaded_by") || section.one_of("loaded_by", {"servo", "weights"}) == "weights";
   return run;
 }
 

@@ -77,8 +77,7 @@ Alone read_alone(const Section& nominal, const std::string& lengths) {
     throw Error(nominal.where(), "neither link_length nor joint",
                 "the lengths of a chain, or \"revolute\" or \"prismatic\" for a joint alone");
   if (!nominal.has("joint")) return Alone::no;
-  const std::string expected = "\"revolute\" or \"prismatic\"", word = nominal.text("joint", expected);
-  if (word != "revolute" && word != "prismatic") nominal.refuse("joint", expected);
+  const std::string word = nominal.one_of("joint", {"revolute", "prismatic"});
   for (const char* key : {"link_length", "lengths", "link_mass", "gravity"})
     if (nominal.has(key)) nominal.refuse(key, "nothing beside nominal.joint: a joint alone has no link");
   return word == "revolute" ? Alone::turns : Alone::slides;

@@ -31,17 +31,13 @@ const Quantity& of_joints(Alone alone) {
 }
 
 char delimiter(const Section& csv) {
-  const std::string expected = R"(",", ";", "|", "tab" or "blanks")", word = csv.text("delimiter", expected);
-  if (word == "," || word == ";" || word == "|") return word[0];
+  const std::string word = csv.one_of("delimiter", {",", ";", "|", "tab", "blanks"});
   if (word == "tab") return '\t';
-  if (word == "blanks") return ' ';
-  csv.refuse("delimiter", expected);
+  return word == "blanks" ? ' ' : word[0];
 }
 
 char decimal(const Section& csv) {
-  const std::string expected = R"("." or ",")", word = csv.text("decimal", expected);
-  if (word != "." && word != ",") csv.refuse("decimal", expected);
-  return word[0];
+  return csv.one_of("decimal", {".", ","})[0];
 }
 
 void read_csv(const Section& csv, SampleFormat& format) {

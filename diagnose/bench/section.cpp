@@ -1,6 +1,7 @@
 #include "diagnose/bench/section.hpp"
 
 #include <fmt/format.h>
+#include <algorithm>
 
 #include <cmath>
 #include <plumbline/base/error.hpp>
@@ -92,6 +93,17 @@ std::string Section::text(const std::string& key, const std::string& expected) c
   if (!one.is_string() || one.as_string()->get().empty()) refuse(key, expected);
   files::require_printable(one.as_string()->get(), place(key));
   return one.as_string()->get();
+}
+
+std::string Section::one_of(const std::string& key, const std::vector<std::string>& words) const {
+  std::string expected;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i > 0) expected += i + 1 < words.size() ? ", " : " or ";
+    expected += "\"" + words[i] + "\"";
+  }
+  std::string word = text(key, expected);
+  if (std::find(words.begin(), words.end(), word) == words.end()) refuse(key, expected);
+  return word;
 }
 
 std::string Section::name(const std::string& key, const std::string& expected) const {

@@ -49,6 +49,8 @@ class Section {
   }
   /// A non-empty text.
   [[nodiscard]] std::string text(const std::string& key, const std::string& expected) const;
+  /// One of these words.
+  [[nodiscard]] std::string one_of(const std::string& key, const std::vector<std::string>& words) const;
   /// A text short enough for a line of a report.
   [[nodiscard]] std::string name(const std::string& key, const std::string& expected) const;
   /// A list of texts, or one alone.
