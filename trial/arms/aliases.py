@@ -143,6 +143,6 @@ def aliases(bench, nominal, readings, planted):
             try:
                 if few.is_near(row, place) and whole.is_imitated(row, place):
                     found.append(row.id + (f"({place + 1})" if place >= 0 else ""))
-            except ArithmeticError:  # so much of it that nothing stands
+            except (ArithmeticError, ValueError):  # so much of it that nothing stands, or a mass is negative: no model of MuJoCo's
                 continue
     return found
