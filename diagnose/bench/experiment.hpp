@@ -3,7 +3,9 @@
 /// An experiment: what a lab writes down when it loads a real chain. SI units, radians.
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <plumbline/arm/arm_kinematics.hpp>
 #include <plumbline/loaded/control.hpp>
@@ -32,6 +34,12 @@ struct Reading {
   std::vector<double> points = {};
   std::vector<double> wrench = {};  ///< on the arm, in the axes of the world: force, N, and moment, N m
   std::vector<double> torque = {};  ///< of the drives, N m or N
+
+  /// The force of the wrench; zero without one.
+  [[nodiscard]] Eigen::Vector3d wrench_force() const {
+    if (wrench.empty()) return Eigen::Vector3d::Zero();
+    return Eigen::Map<const Eigen::Vector3d>(wrench.data());
+  }
 };
 
 /// The command between two readings, or beyond them, by linear interpolation; nothing is measured there.
@@ -95,6 +103,17 @@ struct Run {
   /// The commanded joint angles at a reading: the unloaded shape.
   [[nodiscard]] const std::vector<double>& rest_at(const Reading& reading) const {
     return reading.rest.empty() ? rest : reading.rest;
+  }
+  /// The largest distance of a joint's angles from those that are commanded; zero without angles.
+  /// \param joint  from 0
+  /// \param angle  of a reading, by its number; NaN where there is none
+  template <class Angle>
+  [[nodiscard]] double largest_deflection(std::size_t joint, Angle angle) const {
+    double largest = 0;
+    for (std::size_t i = 0; i < readings.size(); ++i)
+      if (const double turn = std::abs(angle(i) - rest_at(readings[i])[joint]); std::isfinite(turn))
+        largest = std::max(largest, turn);
+    return largest;
   }
   /// Changes the commanded joint angles: those of the run, and of each reading that has its own.
   template <class Change>

@@ -271,7 +271,8 @@ Run read_poses_of(const Section& section, const Source& source, const PoseFormat
   if (section.has("control") && section.text("control", "\"command\"") != "command")
     section.refuse("control", "\"command\", or no such key, for an arm");
   for (const SamplePart& part : source.read(section, format.csv)) {
-    const std::vector<Reading> more = read_poses(part.table, part.source, format, experiment);
+    const std::vector<Reading> more =
+        read_poses(part.table, part.source, format, experiment, run.readings.size());
     run.readings.insert(run.readings.end(), more.begin(), more.end());
   }
   run.rest = run.readings.front().rest;

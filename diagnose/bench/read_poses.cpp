@@ -37,11 +37,12 @@ const ColumnNames of_wrench{"Fx", "Fy", "Fz", "Mx", "My", "Mz"};
 class PoseReader {
  public:
   PoseReader(const SampleTable& table, const std::string& source, const PoseFormat& format,
-             const Experiment& experiment)
+             const Experiment& experiment, std::size_t before)
       : table_(table),
         source_(source),
         format_(format),
         experiment_(experiment),
+        before_(before),
         joints_(experiment.arm->arm.size()) {
     for (std::size_t c = 0; c < table.header.size(); ++c)
       if (!place_.try_emplace(table.header[c], c).second)
@@ -60,7 +61,7 @@ class PoseReader {
 
   [[nodiscard]] Reading reading(std::size_t row) const {
     Reading one{no_value, no_value, no_value, 0, 0, {}};
-    one.t = place_.contains("t") ? number("t", row) : static_cast<double>(row);
+    one.t = place_.contains("t") ? number("t", row) : static_cast<double>(before_ + row);
     if (std::isnan(one.t)) throw Error(where(row) + ", t", "an empty field", "the time of the reading");
     one.rest = coordinates(commands_, row);
     for (std::size_t j = 0; j < joints_; ++j)
@@ -234,6 +235,7 @@ class PoseReader {
   const std::string& source_;
   const PoseFormat& format_;
   const Experiment& experiment_;
+  std::size_t before_;
   std::size_t joints_;
   std::map<std::string, std::size_t> place_;
   ColumnNames commands_;
@@ -245,8 +247,8 @@ class PoseReader {
 }  // namespace
 
 std::vector<Reading> read_poses(const SampleTable& table, const std::string& source, const PoseFormat& format,
-                                const Experiment& experiment) {
-  const PoseReader reader(table, source, format, experiment);
+                                const Experiment& experiment, std::size_t before) {
+  const PoseReader reader(table, source, format, experiment, before);
   reader.require_order_of_quaternions();
   std::vector<Reading> readings;
   for (std::size_t row = 0; row < table.rows.size(); ++row) readings.push_back(reader.reading(row));

@@ -3,9 +3,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
+
+#include "diagnose/bench/command_range.hpp"
 
 namespace plumbline::diagnose {
 namespace {
@@ -17,29 +18,21 @@ double spread(std::size_t i, std::size_t base) {
   return value;
 }
 
-using Limits = std::array<double, 2>;
-
-/// Where a joint may be commanded.
-Limits limits_of(const Experiment& experiment, std::size_t joint) {
-  const Limits told = experiment.arm->limits[joint];
-  if (std::isfinite(told[0]) && std::isfinite(told[1])) return told;
-  const auto& first = experiment.runs.front().rest;
-  Limits seen{first[joint], first[joint]};
-  for (const Run& run : experiment.runs)
-    for (const Reading& reading : run.readings)
-      seen = {std::min(seen[0], reading.rest[joint]), std::max(seen[1], reading.rest[joint])};
-  return seen;
+/// Where the joints may be commanded.
+std::vector<CommandRange> limits_of(const Experiment& experiment) {
+  std::vector<CommandRange> all = command_ranges(experiment);
+  for (std::size_t j = 0; j < all.size(); ++j)
+    if (const auto [low, high] = experiment.arm->limits[j]; std::isfinite(low) && std::isfinite(high))
+      all[j] = {low, high};
+  return all;
 }
 
 /// The reading with the largest force.
 const Reading& heaviest(const Experiment& experiment) {
-  const auto force = [](const Reading& one) {
-    return one.wrench.empty() ? 0 : std::hypot(one.wrench[0], one.wrench[1], one.wrench[2]);
-  };
   const Reading* most = &experiment.runs.front().readings.front();
   for (const Run& run : experiment.runs)
     for (const Reading& reading : run.readings)
-      if (force(reading) > force(*most)) most = &reading;
+      if (reading.wrench_force().norm() > most->wrench_force().norm()) most = &reading;
   return *most;
 }
 
@@ -55,16 +48,16 @@ std::vector<CandidateRun> candidate_poses(const Experiment& experiment) {
   constexpr std::size_t poses = 60;
   constexpr std::array<std::size_t, 8> primes{2, 3, 5, 7, 11, 13, 17, 19};
   const Reading& loaded = heaviest(experiment);
+  const std::vector<CommandRange> limits = limits_of(experiment);
   std::vector<CandidateRun> all;
   for (std::size_t i = 1; i <= poses; ++i) {
     Run run = experiment.runs.front();
     run.readings.resize(1);
     Reading& reading = run.readings.front();
     for (std::size_t j = 0; j < reading.rest.size(); ++j) {
-      const auto [low, high] = limits_of(experiment, j);
       constexpr double inside = 0.9;  // of the range: nobody drives to the very limit
       const double share = 0.5 + inside * (spread(i, primes[j % primes.size()]) - 0.5);
-      reading.rest[j] = std::round(100 * (low + share * (high - low))) / 100;
+      reading.rest[j] = std::round(100 * limits[j].at(share)) / 100;
     }
     run.rest = reading.rest;
     std::vector<std::vector<double>> wrenches{std::vector<double>(reading.wrench.size(), 0.0)};

@@ -37,17 +37,14 @@ const std::vector<Direction>& directions(Alone alone) {
   return all;
 }
 
-/// Of a joint from its command, predicted or measured.
-/// \param angle  of a reading and joint, by their numbers
+/// Of any joint.
+/// \param angle  of a reading and joint, by their numbers; NaN where there is none
 template <class Angle>
 double largest_deflection(const Run& run, Angle angle) {
   double largest = 0;
-  for (std::size_t r = 0; r < run.readings.size(); ++r) {
-    const std::vector<double>& rest = run.rest_at(run.readings[r]);
-    for (std::size_t i = 0; i < rest.size(); ++i)
-      if (const double turn = std::abs(angle(r, i) - rest[i]); std::isfinite(turn))
-        largest = std::max(largest, turn);
-  }
+  for (std::size_t j = 0; j < run.rest.size(); ++j)
+    largest =
+        std::max(largest, run.largest_deflection(j, [&](std::size_t reading) { return angle(reading, j); }));
   return largest;
 }
 

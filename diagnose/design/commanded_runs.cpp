@@ -11,29 +11,14 @@
 #include <optional>
 #include <string>
 
+#include "diagnose/bench/command_range.hpp"
+
 namespace plumbline::diagnose {
 namespace {
 
-/// The commands so far of one joint.
-struct Span {
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-
-  [[nodiscard]] double at(double share) const { return low + share * (high - low); }
-  [[nodiscard]] bool moves() const {
-    constexpr double still = 1e-6;  // rad or m
-    return high - low > still;
-  }
-};
-
-std::vector<Span> spans(const Experiment& experiment) {
-  std::vector<Span> all(experiment.link_length.size());
-  for (const Run& run : experiment.runs)
-    for (const Reading& reading : run.readings)
-      for (std::size_t j = 0; j < reading.rest.size(); ++j) {
-        all[j].low = std::min(all[j].low, reading.rest[j]);
-        all[j].high = std::max(all[j].high, reading.rest[j]);
-      }
-  return all;
+bool moves(const CommandRange& range) {
+  constexpr double still = 1e-6;  // rad or m
+  return range.high - range.low > still;
 }
 
 /// "20, -45 degrees".
@@ -65,7 +50,7 @@ Run commanded(const Experiment& experiment, const std::vector<std::vector<double
 
 /// Nine poses in which every two joints meet at all of their low, middle and high commands (an orthogonal
 /// array of strength two, for up to four joints).
-std::vector<CandidateRun> poses(const Experiment& experiment, const std::vector<Span>& joints,
+std::vector<CandidateRun> poses(const Experiment& experiment, const std::vector<CommandRange>& joints,
                                 const OperatingEnvelope& so_far) {
   std::vector<CandidateRun> all;
   for (std::size_t i = 0; i < 9; ++i) {
@@ -81,16 +66,16 @@ std::vector<CandidateRun> poses(const Experiment& experiment, const std::vector<
 }
 
 /// One joint goes from its lowest to its highest command and back, the others stay in the middle.
-std::vector<CandidateRun> sweeps(const Experiment& experiment, const std::vector<Span>& joints,
+std::vector<CandidateRun> sweeps(const Experiment& experiment, const std::vector<CommandRange>& joints,
                                  const OperatingEnvelope& so_far) {
   constexpr int steps = 20;
   std::vector<CandidateRun> all;
   for (std::size_t j = 0; j < joints.size(); ++j) {
-    if (!joints[j].moves()) continue;
+    if (!moves(joints[j])) continue;
     std::vector<std::vector<double>> commands;
     for (int i = 0; i <= 2 * steps; ++i) {
       commands.emplace_back();
-      for (const Span& one : joints) commands.back().push_back(one.at(0.5));
+      for (const CommandRange& one : joints) commands.back().push_back(one.at(0.5));
       commands.back()[j] = joints[j].at(static_cast<double>(std::min(i, 2 * steps - i)) / steps);
     }
     all.push_back({fmt::format("sweep joint {} slowly from {} to {} and back", j + 1,
@@ -120,7 +105,7 @@ std::vector<CandidateRun> commanded_runs(const Experiment& experiment, const Ope
   std::vector<CandidateRun> all;
   if (std::none_of(experiment.runs.begin(), experiment.runs.end(), std::mem_fn(&Run::commands_joints)))
     return all;
-  const std::vector<Span> joints = spans(experiment);
+  const std::vector<CommandRange> joints = command_ranges(experiment);
   const bool weighs = experiment.bench.plane != Bench::Plane::horizontal;
   for (const auto& some : {poses(experiment, joints, so_far), sweeps(experiment, joints, so_far)})
     for (const CandidateRun& one : some) {

@@ -3,8 +3,8 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "diagnose/bench/command_range.hpp"
 #include "diagnose/priors.hpp"
 #include "diagnose/rig/rig.hpp"
 
@@ -53,18 +53,9 @@ MatrixXd likeness(const Experiment& experiment) {
   return alike;
 }
 
-/// Between which values a joint is commanded.
-struct Extent {
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  void add(double value) { low = std::min(low, value), high = std::max(high, value); }
-  [[nodiscard]] bool any() const { return high > low; }
-  /// From -1 to 1.
-  [[nodiscard]] double share(double value) const { return (2 * value - low - high) / (high - low); }
-};
-
-Eigen::Vector3d force_of(const Reading& reading) {
-  if (reading.wrench.empty()) return Eigen::Vector3d::Zero();
-  return Eigen::Map<const Eigen::Vector3d>(reading.wrench.data());
+/// From -1 to 1 within the range.
+double share_of(const CommandRange& range, double value) {
+  return (2 * value - range.low - range.high) / (range.high - range.low);
 }
 
 }  // namespace
@@ -117,13 +108,10 @@ void CommandStates::add_chain(const Experiment& experiment) {
 
 void CommandStates::add_arm(const Experiment& experiment) {
   const std::size_t joints = experiment.arm->arm.size();
-  std::vector<Extent> extent(joints);
+  const std::vector<CommandRange> range = command_ranges(experiment);
   double heaviest = 0;
   for (const Run& run : experiment.runs)
-    for (const Reading& reading : run.readings) {
-      for (std::size_t j = 0; j < joints; ++j) extent[j].add(reading.rest[j]);
-      heaviest = std::max(heaviest, force_of(reading).norm());
-    }
+    for (const Reading& reading : run.readings) heaviest = std::max(heaviest, reading.wrench_force().norm());
   for (const Run& run : experiment.runs) {
     of.emplace_back();
     knows_rest.push_back(false);
@@ -133,12 +121,12 @@ void CommandStates::add_arm(const Experiment& experiment) {
       CommandState state{{}, {}, 0};
       for (std::size_t j = 0; j < joints; ++j) {
         if (last && reading.rest[j] != last->rest[j]) way[j] = reading.rest[j] > last->rest[j] ? 1 : -1;
-        if (!extent[j].any()) continue;
-        state.command.emplace_back(extent[j].share(reading.rest[j]), 0, 0);
+        if (!(range[j].high > range[j].low)) continue;
+        state.command.emplace_back(share_of(range[j], reading.rest[j]), 0, 0);
         state.direction.push_back(way[j]);
       }
       if (heaviest > 0 || state.command.empty()) {
-        state.command.push_back(force_of(reading) / std::max(heaviest, 1e-300));
+        state.command.push_back(reading.wrench_force() / std::max(heaviest, 1e-300));
         state.direction.push_back(1);
       }
       of.back().push_back(std::move(state));

@@ -14,18 +14,15 @@ std::size_t index_of(const EffectAt& at) {
   return at.joint > 0 ? at.joint - 1 : 0;
 }
 
-/// The largest distance of a joint's angles from those that are commanded, rad.
-/// \param angle  of a reading, by run and its number
+/// The largest of a joint over all runs, rad.
+/// \param angle  of a run and a reading, by their numbers; NaN where there is none
 template <class Angle>
-double farthest(const Experiment& experiment, std::size_t joint, Angle angle) {
-  double most = 0;
-  for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
-    const Run& run = experiment.runs[r];
-    for (std::size_t i = 0; i < run.readings.size(); ++i)
-      if (const double q = angle(r, i); std::isfinite(q))
-        most = std::max(most, std::abs(q - run.rest_at(run.readings[i])[joint]));
-  }
-  return most;
+double largest_deflection(const Experiment& experiment, std::size_t joint, Angle angle) {
+  double largest = 0;
+  for (std::size_t r = 0; r < experiment.runs.size(); ++r)
+    largest = std::max(largest, experiment.runs[r].largest_deflection(
+                                    joint, [&](std::size_t reading) { return angle(r, reading); }));
+  return largest;
 }
 
 /// Joints that the nominal model leaves at rest, as a servo arm without its weight, are told by their
@@ -34,12 +31,12 @@ Excitation exercise_of(const Experiment& experiment, const Prediction& nominal) 
   Excitation use{std::vector<double>(experiment.link_length.size(), 0.0), 0, 0};
   for (std::size_t i = 0; i < use.deflection.size(); ++i) {
     double& most = use.deflection[i];
-    most = farthest(experiment, i, [&](std::size_t r, std::size_t reading) {
+    most = largest_deflection(experiment, i, [&](std::size_t r, std::size_t reading) {
       return nominal.runs[r](static_cast<Eigen::Index>(reading), column_q + static_cast<Eigen::Index>(i));
     });
     constexpr double at_rest = 1e-9;  // rad: rounding
     if (most < at_rest)
-      most = farthest(experiment, i, [&](std::size_t r, std::size_t reading) {
+      most = largest_deflection(experiment, i, [&](std::size_t r, std::size_t reading) {
         const std::vector<double>& q = experiment.runs[r].readings[reading].q;
         return q.empty() ? std::nan("") : q[i];
       });

@@ -79,10 +79,6 @@ bool reads_wrench(const Run& run) {
   return !run.by_weights && any_reading(run, [](const Reading& reading) { return !reading.wrench.empty(); });
 }
 
-double wrench_force(const Reading& reading) {
-  return reading.wrench.empty() ? 0 : Eigen::Map<const Eigen::Vector3d>(reading.wrench.data()).norm();
-}
-
 /// Scales of loads on an arm in space, and what its joints do.
 void add_arm(const Experiment& experiment, CharacteristicScales& size) {
   const SerialArm<double>& arm = experiment.arm->arm;
@@ -96,7 +92,7 @@ void add_arm(const Experiment& experiment, CharacteristicScales& size) {
   for (const Run& run : experiment.runs) {
     size.load_cell = size.load_cell || reads_wrench(run);
     for (const Reading& reading : run.readings) {
-      force = std::max(force, wrench_force(reading));
+      force = std::max(force, reading.wrench_force().norm());
       for (std::size_t j = 0; j < arm.size(); ++j)
         size.moves[j] = size.moves[j] || std::abs(reading.rest[j] - experiment.runs.front().rest[j]) > 1e-3;
     }

@@ -1,0 +1,23 @@
+#pragma once
+/// \file
+/// Between which angles the joints of a bench are commanded.
+
+#include <limits>
+#include <vector>
+
+#include "diagnose/bench/experiment.hpp"
+
+namespace plumbline::diagnose {
+
+/// Of one joint over all runs, rad, or m for one that slides. Nothing is commanded where high < low.
+struct CommandRange {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+
+  /// From `low`, 0, to `high`, 1.
+  [[nodiscard]] double at(double share) const { return low + share * (high - low); }
+};
+
+/// By joint.
+std::vector<CommandRange> command_ranges(const Experiment& experiment);
+
+}  // namespace plumbline::diagnose
