@@ -23,7 +23,7 @@ def is_workbook(file: str | os.PathLike[str]) -> bool:
 
 def sheet_names(file: str | os.PathLike[str]) -> list[str]:
     """The sheets of a workbook that hold anything."""
-    return [sheet.title for sheet in _workbook(file).worksheets if any(_rows(sheet))]
+    return _filled(_workbook(file))
 
 
 def sheet_as_csv(file: str | os.PathLike[str], sheet: str | None = None) -> str:
@@ -32,20 +32,25 @@ def sheet_as_csv(file: str | os.PathLike[str], sheet: str | None = None) -> str:
     :param sheet: its name; not needed where one sheet alone holds anything
     :raises Error: where it has to be named, is not there or is empty, or a formula has no value
     """
-    names = sheet_names(file)
+    workbook = _workbook(file)
+    names = _filled(workbook)
     if sheet is None and len(names) > 1:
         raise Error(f"{file}: found the sheets {', '.join(names)}, expected the name of one of them: sheet")
     if not names or sheet not in (None, *names):
         raise Error(f"{file}: found {f'no sheet {sheet} with values' if names else 'empty sheets alone'}, "
                     f"expected {'one of ' + ', '.join(names) if names else 'a table in one of them'}")
     chosen = sheet or names[0]
-    values = _workbook(file)[chosen]
+    values = workbook[chosen]
     _require_values(file, values, _workbook(file, formulas=True)[chosen])
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     for row in _rows(values):
         writer.writerow([_written(value) for value in row])
     return text.getvalue()
+
+
+def _filled(workbook: Any) -> list[str]:
+    return [sheet.title for sheet in workbook.worksheets if any(_rows(sheet))]
 
 
 def _workbook(file: str | os.PathLike[str], formulas: bool = False) -> Any:
