@@ -8,6 +8,7 @@
 #include <plumbline/base/error.hpp>
 #include <set>
 
+#include "diagnose/bench/roll_pitch_yaw.hpp"
 #include "support/files/printable.hpp"
 
 namespace plumbline::diagnose {
@@ -27,10 +28,7 @@ Pose<double> pose(const Section& section, const char* place, const char* turn) {
                 "angles within a turn, in radians");
   Pose<double> result = Pose<double>::Identity();
   result.translation() = vector_or(section, place, Vector3<double>::Zero());
-  using Eigen::AngleAxisd, Eigen::Vector3d;
-  result.linear() = (AngleAxisd(angles.z(), Vector3d::UnitZ()) * AngleAxisd(angles.y(), Vector3d::UnitY()) *
-                     AngleAxisd(angles.x(), Vector3d::UnitX()))
-                        .toRotationMatrix();
+  result.linear() = from_roll_pitch_yaw(angles);
   return result;
 }
 

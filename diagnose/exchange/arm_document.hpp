@@ -62,14 +62,6 @@ std::unique_ptr<ArmDocument> arm_in_urdf(const std::filesystem::path& file, cons
 std::unique_ptr<ArmDocument> arm_in_mjcf(const std::filesystem::path& file, const ArmEnds& ends);
 std::unique_ptr<ArmDocument> arm_in_sdf(const std::filesystem::path& file, const ArmEnds& ends);
 
-/// The frames of all links, in that of the base, all joints at these coordinates.
-std::vector<Eigen::Isometry3d> link_frames(const SerialArm<double>& arm,
-                                           const std::vector<double>& coordinates);
-
-/// Roll, pitch and yaw: about fixed axes x, y and z, one after the other. Right for every rotation, where the
-/// pitch is a quarter turn too.
-Eigen::Vector3d roll_pitch_yaw(const Eigen::Matrix3d& turn);
-
 /// Moment of inertia, kg m², of a ball of this mass, as dense as water: for bodies of which a file knows the
 /// mass alone.
 double moment_of_ball(double mass);

@@ -14,15 +14,11 @@ namespace {
 using Eigen::Isometry3d, Eigen::Vector3d;
 using pugi::xml_node;
 
-std::string in_words(const Vector3d& v) {
-  return numbers({v.x(), v.y(), v.z()});
-}
-
 /// In place of whatever way the file had to say it.
 void place_anew(xml_node element, const Isometry3d& at) {
   for (const char* other : {"euler", "axisangle", "xyaxes", "zaxis"}) element.remove_attribute(other);
   const Eigen::Quaterniond turn(at.linear());
-  set(element, "pos", in_words(at.translation()));
+  set(element, "pos", numbers_of(at.translation()));
   set(element, "quat", numbers({turn.w(), turn.x(), turn.y(), turn.z()}));
 }
 
@@ -54,7 +50,7 @@ class MjcfArm : public ArmDocument {
                      held = before.inverse() * own_body(joint).held,
                      in_link = frames_[joint].inverse() * own_body(joint).at;
     place_anew(own_body(joint).element, held.inverse() * frame * moved_by(joint) * in_link);
-    set(own(joint).element, "axis", in_words(axis));
+    set(own(joint).element, "axis", numbers_of(axis));
     return {true, "as the pose of the body and the axis of the joint"};
   }
 
@@ -79,7 +75,7 @@ class MjcfArm : public ArmDocument {
     if (!option) option = scene_.document.root().prepend_child("option");
     for (const xml_node one : scene_.document.root().children("option"))
       if (one.attribute("gravity")) option = one;
-    set(option, "gravity", in_words(gravity));
+    set(option, "gravity", numbers_of(gravity));
     return {true, "as the gravity of <option>"};
   }
 
@@ -123,7 +119,7 @@ class MjcfArm : public ArmDocument {
     } else {
       for (const char* moments : {"diaginertia", "fullinertia"}) scale(inertial, moments, factor);
     }
-    set(inertial, "pos", in_words(pos));
+    set(inertial, "pos", numbers_of(pos));
     set(inertial, "mass", number(one.mass));
     return {true, from_geoms ? "as <inertial>, in place of what the geoms weigh"
                              : "as <inertial> of the bodies that move with it"};
@@ -132,7 +128,7 @@ class MjcfArm : public ArmDocument {
   Edit add_weight(const std::string& name, std::size_t link, double mass, const Vector3d& at) override {
     Xml weight("body"), inertial("inertial");
     const Isometry3d in_body = own_body(link).at.inverse() * frames_[link];
-    weight.set("name", name).set("pos", in_words(in_body * at));
+    weight.set("name", name).set("pos", numbers_of(in_body * at));
     inertial.set("pos", "0 0 0").set("mass", number(mass));
     inertial.set("diaginertia", numbers(std::vector<double>(3, moment_of_ball(mass))));
     scene_.document.append(own_body(link).element, weight.add(std::move(inertial)));
@@ -173,10 +169,7 @@ class MjcfArm : public ArmDocument {
 
   /// What a joint's reference moves its link by.
   [[nodiscard]] Isometry3d moved_by(std::size_t joint) const {
-    SerialArm<double> one;
-    one.links.push_back(arm_.links[joint]);
-    one.links.front().frame.setIdentity();
-    return link_frames(one, {references_[joint]}).front();
+    return joint_motion<double>(arm_.links[joint].kind, arm_.links[joint].axis, references_[joint]);
   }
 
   [[nodiscard]] std::vector<const MjcfServo*> servos_of(std::size_t joint) const {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <plumbline/base/error.hpp>
 
+#include "diagnose/bench/roll_pitch_yaw.hpp"
 #include "diagnose/exchange/arm_document.hpp"
 #include "diagnose/exchange/read_sdf.hpp"
 #include "diagnose/exchange/sdf_parts.hpp"
@@ -12,16 +13,12 @@ namespace {
 using Eigen::Isometry3d, Eigen::Vector3d;
 using pugi::xml_node;
 
-std::string text_of_vector(const Vector3d& v) {
-  return numbers({v.x(), v.y(), v.z()});
-}
-
 /// In place of the pose that the element has, in the same frame.
 void replace_pose(xml_node element, const Isometry3d& at) {
   if (!element.child("pose")) element.prepend_child("pose");
   xml_node pose = element.child("pose");
   for (const char* format : {"degrees", "rotation_format"}) pose.remove_attribute(format);
-  const Vector3d xyz = at.translation(), turn = roll_pitch_yaw(at.linear());
+  const Vector3d xyz = at.translation(), turn = diagnose::roll_pitch_yaw(at.linear());
   pose.text() = numbers({xyz.x(), xyz.y(), xyz.z(), turn.x(), turn.y(), turn.z()}).c_str();
 }
 
@@ -55,9 +52,8 @@ class SdfArm : public ArmDocument {
   }
 
   Edit set_gravity(const Vector3d& gravity) override {
-    if (!tree_.world)
-      return {false, "gravity is a world's: it is to be " + text_of_vector(gravity) + " m/s^2"};
-    set_child(tree_.world, "gravity", text_of_vector(gravity));
+    if (!tree_.world) return {false, "gravity is a world's: it is to be " + numbers_of(gravity) + " m/s^2"};
+    set_child(tree_.world, "gravity", numbers_of(gravity));
     return {true, "as the gravity of the world"};
   }
 
@@ -137,8 +133,9 @@ class SdfArm : public ArmDocument {
 
   /// Of the arm's links in the model, all joints at zero.
   [[nodiscard]] std::vector<Isometry3d> frames() const {
-    std::vector<Isometry3d> all = link_frames(arm_, std::vector<double>(arm_.size(), 0.0));
-    for (Isometry3d& one : all) one = path_.base().at * one;
+    std::vector<Isometry3d> all;
+    Isometry3d at = path_.base().at;
+    for (const ArmLink<double>& link : arm_.links) all.push_back(at = at * link.frame);
     return all;
   }
 
@@ -183,7 +180,7 @@ class SdfArm : public ArmDocument {
     if ((was.normalized() - is).norm() <= rounding) return;
     xml_node xyz = joints_[joint].child("axis").child("xyz");
     if (!xyz) xyz = joints_[joint].child("axis").append_child("xyz");
-    xyz.text() = text_of_vector(is).c_str();
+    xyz.text() = numbers_of(is).c_str();
   }
 
   [[nodiscard]] xml_node dynamics(std::size_t joint) {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "diagnose/exchange/arm_document.hpp"
+#include "diagnose/bench/roll_pitch_yaw.hpp"
 
 namespace plumbline::exchange {
 namespace {
@@ -27,7 +27,7 @@ std::string quoted(const std::string& name) {
 
 std::string pose(const std::string& prefix, const Eigen::Isometry3d& at) {
   return fmt::format("{0}xyz = {1}\n{0}rpy = {2}\n", prefix, list(at.translation()),
-                     list(roll_pitch_yaw(at.linear())));
+                     list(diagnose::roll_pitch_yaw(at.linear())));
 }
 
 std::string joint(const diagnose::NominalArm& nominal, std::size_t i) {

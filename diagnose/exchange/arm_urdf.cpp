@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "diagnose/bench/roll_pitch_yaw.hpp"
 #include "diagnose/exchange/arm_document.hpp"
 #include "diagnose/exchange/read_urdf.hpp"
 #include "diagnose/exchange/urdf_parts.hpp"
@@ -11,15 +12,11 @@ namespace {
 using Eigen::Isometry3d, Eigen::Vector3d;
 using pugi::xml_node;
 
-std::string words(const Vector3d& v) {
-  return numbers({v.x(), v.y(), v.z()});
-}
-
 void place(xml_node element, const Isometry3d& at) {
   xml_node origin = element.child("origin");
   if (!origin) origin = element.prepend_child("origin");
-  set(origin, "xyz", words(at.translation()));
-  set(origin, "rpy", words(roll_pitch_yaw(at.linear())));
+  set(origin, "xyz", numbers_of(at.translation()));
+  set(origin, "rpy", numbers_of(diagnose::roll_pitch_yaw(at.linear())));
 }
 
 class UrdfArm : public ArmDocument {
@@ -41,7 +38,7 @@ class UrdfArm : public ArmDocument {
     const Isometry3d& before = joint > 0 ? frames_[joint - 1] : base_;
     place(own, tree_.place(link_of(own, "parent")).inverse() * before * frame);
     if (!own.child("axis")) own.append_child("axis");
-    set(own.child("axis"), "xyz", words(axis));
+    set(own.child("axis"), "xyz", numbers_of(axis));
     return {true, "as the origin and the axis of the joint"};
   }
 
@@ -56,8 +53,8 @@ class UrdfArm : public ArmDocument {
   }
 
   Edit set_gravity(const Vector3d& gravity) override {
-    return {false,
-            "URDF knows no gravity: it is to be " + words(gravity) + " m/s^2 in the frame of the root link"};
+    return {false, "URDF knows no gravity: it is to be " + numbers_of(gravity) +
+                       " m/s^2 in the frame of the root link"};
   }
 
   Edit set_stiffness(std::size_t joint, double stiffness) override {
@@ -92,7 +89,7 @@ class UrdfArm : public ArmDocument {
     xml_node own = parts_[part].inertial;
     const Vector3d xyz = parts()[part].at.inverse() * centre;
     if (!own.child("origin")) own.prepend_child("origin");
-    set(own.child("origin"), "xyz", words(xyz));
+    set(own.child("origin"), "xyz", numbers_of(xyz));
     set(own.child("mass"), "value", number(own.child("mass").attribute("value").as_double() * factor));
     for (pugi::xml_attribute one : own.child("inertia").attributes())
       one = number(one.as_double() * factor).c_str();

@@ -19,10 +19,6 @@ namespace {
 using Eigen::Vector3d;
 using pugi::xml_node;
 
-std::string numbers_of(const Vector3d& v) {
-  return numbers({v.x(), v.y(), v.z()});
-}
-
 class MjcfEditor {
  public:
   explicit MjcfEditor(const Model& model)

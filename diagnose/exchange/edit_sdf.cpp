@@ -157,7 +157,7 @@ class SdfEditor {
 
   void edit_weights(const EditedChain::Weights& weights, std::vector<std::string>& remarks) {
     const Vector3d g = world_ ? Vector3d(tree_.placed().linear() * weights.gravity) : weights.gravity;
-    const std::string gravity = numbers({g.x(), g.y(), g.z()});
+    const std::string gravity = numbers_of(g);
     if (world_) {
       set_child(world_, "gravity", gravity);
     } else {

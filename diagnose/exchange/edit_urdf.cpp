@@ -36,7 +36,7 @@ class UrdfEditor {
     if (const auto weights = chain_.weights()) {
       add_weights(*weights);
       const Vector3d& g = weights->gravity;
-      remarks.push_back("URDF knows no gravity: it is to be " + numbers({g.x(), g.y(), g.z()}) +
+      remarks.push_back("URDF knows no gravity: it is to be " + numbers_of(g) +
                         " m/s^2 in the frame of the root link.");
     }
     return {text_of(tree_.document, head_lines(model_, chain_.effects(), remarks)), chain_.effects(),
@@ -96,7 +96,7 @@ class UrdfEditor {
     set(own.child("parent"), "link", last);
     if (!own.child("origin")) own.append_child("origin");
     const Vector3d xyz = turn * (place_of(j) + chain_.moves(j) + base - from);
-    set(own.child("origin"), "xyz", numbers({xyz.x(), xyz.y(), xyz.z()}));
+    set(own.child("origin"), "xyz", numbers_of(xyz));
   }
 
   /// \return its name

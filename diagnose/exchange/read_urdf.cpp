@@ -2,6 +2,7 @@
 
 #include <plumbline/base/error.hpp>
 
+#include "diagnose/bench/roll_pitch_yaw.hpp"
 #include "diagnose/exchange/physical_body.hpp"
 #include "support/files/printable.hpp"
 
@@ -22,8 +23,7 @@ Isometry3d origin_of(xml_node element, const std::string& place) {
   require_radians(turn, place + ": rpy");
   Isometry3d at = Isometry3d::Identity();
   at.translate(vector("xyz"));
-  at.rotate(Eigen::AngleAxisd(turn.z(), Vector3d::UnitZ()) * Eigen::AngleAxisd(turn.y(), Vector3d::UnitY()) *
-            Eigen::AngleAxisd(turn.x(), Vector3d::UnitX()));
+  at.rotate(diagnose::from_roll_pitch_yaw(turn));
   return at;
 }
 

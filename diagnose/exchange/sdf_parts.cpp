@@ -24,7 +24,7 @@ namespace {
 
 Xml axis_of(const Hinge& hinge, const Eigen::Vector3d& along) {
   Xml axis("axis"), dynamics("dynamics");
-  axis.add("xyz", numbers({along.x(), along.y(), along.z()}));
+  axis.add("xyz", numbers_of(along));
   if (hinge.range) axis.add(sdf_limit(hinge, *hinge.range));
   dynamics.add("damping", number(hinge.damping)).add("friction", number(hinge.friction));
   dynamics.add("spring_reference", number(hinge.rest)).add("spring_stiffness", number(hinge.stiffness));

@@ -1,6 +1,7 @@
 #include <numbers>
 #include <plumbline/base/error.hpp>
 
+#include "diagnose/bench/roll_pitch_yaw.hpp"
 #include "diagnose/exchange/physical_body.hpp"
 #include "diagnose/exchange/read_sdf.hpp"
 #include "support/files/printable.hpp"
@@ -35,9 +36,7 @@ Isometry3d written_pose(xml_node element, const std::string& place) {
   const std::string degrees = pose.attribute("degrees").value();
   const double unit = degrees == "true" || degrees == "1" ? std::numbers::pi / 180 : 1;
   if (unit == 1) require_radians({p[3], p[4], p[5]}, place + ": pose");
-  at.rotate(Eigen::AngleAxisd(p[5] * unit, Vector3d::UnitZ()) *
-            Eigen::AngleAxisd(p[4] * unit, Vector3d::UnitY()) *
-            Eigen::AngleAxisd(p[3] * unit, Vector3d::UnitX()));
+  at.rotate(diagnose::from_roll_pitch_yaw(unit * Vector3d(p[3], p[4], p[5])));
   return at;
 }
 

@@ -22,16 +22,6 @@ Isometry3d place_of(const ReadJoint& joint) {
   return at;
 }
 
-/// Of a link by its joint, in its own frame.
-Isometry3d motion_of(const ReadJoint& joint, const Vector3d& axis, double coordinate) {
-  Isometry3d by = Isometry3d::Identity();
-  if (joint.motion == JointMotion::hinge)
-    by.rotate(Eigen::AngleAxisd(coordinate, axis));
-  else
-    by.translate(coordinate * axis);
-  return by;
-}
-
 class ArmBuilder {
  public:
   ArmBuilder(const ReadModel& model, const std::string& source, const ArmEnds& ends)
@@ -71,7 +61,7 @@ class ArmBuilder {
     ArmLink<double> link;
     link.kind = own.motion == JointMotion::hinge ? JointKind::revolute : JointKind::prismatic;
     link.axis = (own.turn.transpose() * own.axis).normalized();
-    link.frame = before.inverse() * at * motion_of(own, link.axis, -own.reference);
+    link.frame = before.inverse() * at * joint_motion<double>(link.kind, link.axis, -own.reference);
     const double stiffness = own.servo > 0 ? own.servo : own.stiffness;
     if (stiffness > 0) link.joint_compliance = 1 / stiffness;
     result_.nominal.arm.links.push_back(link);

@@ -31,10 +31,10 @@ Xml urdf_joint(const Body& one, const Eigen::Vector3d& place, const Eigen::Vecto
   xml.set("name", moves ? one.joint->name : one.name + "_fixed");
   xml.set("type", !moves ? "fixed" : slides ? "prismatic" : bounded ? "revolute" : "continuous");
   xml.add(Xml("parent").set("link", one.parent)).add(Xml("child").set("link", one.name));
-  xml.add(Xml("origin").set("xyz", numbers({place.x(), place.y(), place.z()})));
+  xml.add(Xml("origin").set("xyz", numbers_of(place)));
   if (!moves) return xml;
   const Hinge& hinge = *one.joint;
-  xml.add(Xml("axis").set("xyz", numbers({axis.x(), axis.y(), axis.z()})));
+  xml.add(Xml("axis").set("xyz", numbers_of(axis)));
   if (bounded) {
     const Pair range = hinge.range.value_or(Pair{-1, 1});
     xml.add(Xml("limit")

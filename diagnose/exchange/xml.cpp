@@ -48,6 +48,10 @@ std::string numbers(const std::vector<double>& values) {
   return text;
 }
 
+std::string numbers_of(const Eigen::Vector3d& vector) {
+  return numbers({vector.x(), vector.y(), vector.z()});
+}
+
 Xml& Xml::set(const std::string& key, const std::string& value) {
   const auto same = std::find_if(attributes_.begin(), attributes_.end(),
                                  [&](const auto& attribute) { return attribute.first == key; });

@@ -2,6 +2,7 @@
 /// \file
 /// XML to be written.
 
+#include <Eigen/Core>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,6 +12,7 @@ namespace plumbline::exchange {
 /// A number, and several of them, as attributes have them.
 std::string number(double value);
 std::string numbers(const std::vector<double>& values);
+std::string numbers_of(const Eigen::Vector3d& vector);
 
 class Xml {
  public:

@@ -11,6 +11,17 @@
 
 namespace plumbline {
 
+/// The motion of a joint at a coordinate, in the frame of its link.
+template <Floating Real>
+Pose<Real> joint_motion(JointKind kind, const Vector3<Real>& axis, const Real& coordinate) {
+  Pose<Real> by = Pose<Real>::Identity();
+  if (kind == JointKind::prismatic)
+    by.translation() = coordinate * axis;
+  else
+    by.linear() = Eigen::AngleAxis<Real>(coordinate, axis).toRotationMatrix();
+  return by;
+}
+
 /// A freedom at one posture of the arm, in the world.
 template <Floating Real>
 struct ArmFreedom {

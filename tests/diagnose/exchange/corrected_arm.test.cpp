@@ -5,6 +5,7 @@
 #include <plumbline/arm/arm_equilibrium.hpp>
 #include <plumbline/base/error.hpp>
 
+#include "diagnose/bench/roll_pitch_yaw.hpp"
 #include "diagnose/exchange/arm_document.hpp"
 #include "diagnose/exchange/read_model.hpp"
 #include "tests/close_to.hpp"
@@ -208,7 +209,7 @@ TEST_CASE("roll, pitch and yaw say every rotation, where the pitch is a quarter 
       turn = Eigen::AngleAxisd(drawn_number(), Eigen::Vector3d::UnitZ()) *
              Eigen::AngleAxisd(std::acos(0.0) + 1e-9 * drawn_number(), Eigen::Vector3d::UnitY()) *
              Eigen::AngleAxisd(drawn_number(), Eigen::Vector3d::UnitX());
-    const Eigen::Vector3d angles = roll_pitch_yaw(turn.toRotationMatrix());
+    const Eigen::Vector3d angles = diagnose::roll_pitch_yaw(turn.toRotationMatrix());
     const Eigen::Quaterniond again = Eigen::AngleAxisd(angles.z(), Eigen::Vector3d::UnitZ()) *
                                      Eigen::AngleAxisd(angles.y(), Eigen::Vector3d::UnitY()) *
                                      Eigen::AngleAxisd(angles.x(), Eigen::Vector3d::UnitX());
