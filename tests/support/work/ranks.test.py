@@ -2,7 +2,10 @@
 """Work among the processes that mpirun starts: on 1, 2 and 4 ranks the same bytes as in one process; a rank is
 killed, and the same command, begun again, does what was not done.
 
-Usage: ranks.test.py PLUMBLINE SOURCE_FOLDER [TRIALS]"""
+Usage: ranks.test.py PLUMBLINE SOURCE_FOLDER [CLASS ...]
+
+EveryVerb takes seconds. WholeWork does trials, fleets and the published reference values; TRIALS in the environment is
+the number of trials (3)."""
 
 import json
 import os
@@ -16,7 +19,7 @@ import time
 import unittest
 
 PLUMBLINE, SOURCE = os.path.abspath(sys.argv[1]), pathlib.Path(sys.argv[2]).resolve()
-TRIALS = sys.argv[3] if len(sys.argv) > 3 else "3"
+TRIALS = os.environ.get("TRIALS", "3")
 os.environ["SOURCE_DATE_EPOCH"] = "0"  # pages of before and after midnight
 # more ranks than processors, as root in a container, and nothing bound to a processor that another has
 MPIRUN = ["mpirun", "--oversubscribe", "--allow-run-as-root", "--bind-to", "none"]
@@ -32,7 +35,7 @@ def done_so_far(journal):
     return journal.read_bytes().count(b"\n") - 1 if journal.exists() else 0
 
 
-class Ranks(unittest.TestCase):
+class OnRanks(unittest.TestCase):
     def setUp(self):
         self.place = pathlib.Path(tempfile.mkdtemp(prefix="ranks-"))
         self.addCleanup(shutil.rmtree, self.place)
@@ -91,15 +94,6 @@ class Ranks(unittest.TestCase):
         self.assertEqual(contents(cut), contents(whole))
         return [name for name, at in kept.items() if (cut / name).exists() and (cut / name).stat().st_mtime_ns == at]
 
-    def test_a_trial(self):
-        _, files = self.same_bytes(TRIAL)
-        self.assertEqual(len([name for name in files if name.startswith("kept/reports/")]), int(TRIALS))
-        self.assertNotIn("kept/unfinished.jsonl", files)
-
-    def test_a_trial_of_which_a_rank_is_killed(self):
-        untouched = self.killed_and_begun_again(TRIAL, "kept/unfinished.jsonl")
-        self.assertTrue([name for name in untouched if name.startswith("kept/reports/")])
-
     def fleet(self, folder, count=3):
         for number in range(count):
             shutil.copytree(SOURCE / "tests/experiments/joint_coupling", folder / f"arm-{number}")
@@ -110,15 +104,8 @@ class Ranks(unittest.TestCase):
 
     FLEET = diagnosed(3)
 
-    def test_a_fleet(self):
-        _, files = self.same_bytes(self.FLEET, self.fleet)
-        self.assertEqual(len([name for name in files if name.startswith("reports/")]), 6)  # pages too
 
-    def test_a_fleet_of_which_a_rank_is_killed(self):
-        many = 8  # of which two ranks have most left when the first is seen to be done
-        self.assertTrue(self.killed_and_begun_again(self.diagnosed(many), "reports/unfinished.jsonl",
-                                                    lambda folder: self.fleet(folder, many)))
-
+class EveryVerb(OnRanks):
     CHAINS = ["verify", "--section", "2", "--chains", "300", "--json", "a.json", "--unfinished", "chains.jsonl"]
 
     def test_random_chains(self):
@@ -127,6 +114,40 @@ class Ranks(unittest.TestCase):
 
     def test_random_chains_of_which_a_rank_is_killed(self):
         self.killed_and_begun_again(self.CHAINS, "chains.jsonl")
+
+    def test_what_is_to_be_kept_needs_a_place(self):
+        folder = self.here("nowhere")
+        self.fleet(folder)
+        for words, option in ((["trial", "--trials", "2"], "--out"), (self.FLEET[:-4], "--reports")):
+            done = self.run_in(folder, words, 2)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn(f"plumbline: {option}: found none, expected a folder", done.stderr)
+
+    def test_every_other_verb_is_done_once(self):
+        folder = self.here("once")
+        words = ["critical", str(SOURCE / "docs/examples/four-link.toml")]
+        self.assertEqual(self.run_in(folder, words, 3).stdout, self.run_in(folder, words).stdout)
+        self.assertEqual(self.run_in(folder, ["critical", "nowhere.toml"], 3).stderr.count("nowhere.toml: found"), 1)
+
+
+class WholeWork(OnRanks):
+    def test_a_trial(self):
+        _, files = self.same_bytes(TRIAL)
+        self.assertEqual(len([name for name in files if name.startswith("kept/reports/")]), int(TRIALS))
+        self.assertNotIn("kept/unfinished.jsonl", files)
+
+    def test_a_trial_of_which_a_rank_is_killed(self):
+        untouched = self.killed_and_begun_again(TRIAL, "kept/unfinished.jsonl")
+        self.assertTrue([name for name in untouched if name.startswith("kept/reports/")])
+
+    def test_a_fleet(self):
+        _, files = self.same_bytes(self.FLEET, self.fleet)
+        self.assertEqual(len([name for name in files if name.startswith("reports/")]), 6)  # pages too
+
+    def test_a_fleet_of_which_a_rank_is_killed(self):
+        many = 8  # of which two ranks have most left when the first is seen to be done
+        self.assertTrue(self.killed_and_begun_again(self.diagnosed(many), "reports/unfinished.jsonl",
+                                                    lambda folder: self.fleet(folder, many)))
 
     REFERENCE = ["reference", "--compact", "--out", "."]
 
@@ -156,20 +177,6 @@ class Ranks(unittest.TestCase):
         self.assertEqual(self.run_in(folder, words).returncode, 0)
         self.assertNotEqual(report.stat().st_mtime_ns, before)
 
-    def test_what_is_to_be_kept_needs_a_place(self):
-        folder = self.here("nowhere")
-        self.fleet(folder)
-        for words, option in ((["trial", "--trials", "2"], "--out"), (self.FLEET[:-4], "--reports")):
-            done = self.run_in(folder, words, 2)
-            self.assertEqual(done.returncode, 2)
-            self.assertIn(f"plumbline: {option}: found none, expected a folder", done.stderr)
-
-    def test_every_other_verb_is_done_once(self):
-        folder = self.here("once")
-        words = ["critical", str(SOURCE / "docs/examples/four-link.toml")]
-        self.assertEqual(self.run_in(folder, words, 3).stdout, self.run_in(folder, words).stdout)
-        self.assertEqual(self.run_in(folder, ["critical", "nowhere.toml"], 3).stderr.count("nowhere.toml: found"), 1)
-
 
 def ranks_of(mpirun):
     """Its children; none once it has ended."""
@@ -181,4 +188,4 @@ def ranks_of(mpirun):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1], verbosity=2)
+    unittest.main(argv=[sys.argv[0], *sys.argv[3:]], verbosity=2)
