@@ -109,7 +109,9 @@ void CommandStates::add_chain(const Experiment& experiment) {
 void CommandStates::add_arm(const Experiment& experiment) {
   const std::size_t joints = experiment.arm->arm.size();
   const std::vector<CommandRange> range = command_ranges(experiment);
-  double heaviest = 0;
+  one_session = true;
+  double heaviest = 0, readings = 0, taken = 0;
+  for (const Run& run : experiment.runs) readings += static_cast<double>(run.readings.size());
   for (const Run& run : experiment.runs)
     for (const Reading& reading : run.readings) heaviest = std::max(heaviest, reading.wrench_force().norm());
   for (const Run& run : experiment.runs) {
@@ -118,7 +120,7 @@ void CommandStates::add_arm(const Experiment& experiment) {
     std::vector<double> way(joints + 1, 1);
     const Reading* last = nullptr;
     for (const Reading& reading : run.readings) {
-      CommandState state{{}, {}, 0};
+      CommandState state{{}, {}, taken++ / readings};
       for (std::size_t j = 0; j < joints; ++j) {
         if (last && reading.rest[j] != last->rest[j]) way[j] = reading.rest[j] > last->rest[j] ? 1 : -1;
         if (!(range[j].high > range[j].low)) continue;
@@ -156,7 +158,9 @@ class Kernel {
     const bool knows_rest = states_.knows_rest[p.run];
     double common = smooth(a, b), own = 0;
     if (knows_rest) common -= smooth(a, rest) * smooth(rest, b);
-    if (p.run == q.run && knows_rest)
+    if (states_.one_session)
+      own = matern(std::abs(a.progress - b.progress), length_);
+    else if (p.run == q.run && knows_rest)
       own = matern(std::abs(a.progress - b.progress), length_) -
             matern(a.progress, length_) * matern(b.progress, length_);
     const double alike = states_.alike(static_cast<Eigen::Index>(p.run), static_cast<Eigen::Index>(q.run));

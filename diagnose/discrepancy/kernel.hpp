@@ -16,7 +16,9 @@ struct CommandState {
   /// each joint that moves, and one for its load: what is beside the model is a sum of functions of each.
   std::vector<Eigen::Vector3d> command{{0, 0, 0}};
   std::vector<double> direction{1};  ///< of each: 1 away from rest, -1 back
-  double progress = 0;               ///< way covered in the run until then, over the longest of any run
+  /// Way covered in the run until then, over the longest of any run. Of an arm, whose runs are parts of one
+  /// session, the number of readings until then, over all.
+  double progress = 0;
 };
 
 /// The states of all readings, and how alike the runs are.
@@ -26,6 +28,7 @@ struct CommandStates {
   MatrixXd alike;                             ///< of runs, in [0, 1]: by control and rest shape
   /// By run, whether its command tells when nothing is loaded. In a sag test without forces none does.
   std::vector<bool> knows_rest;
+  bool one_session = false;  ///< progress counts on from run to run
 
  private:
   void add_chain(const Experiment& experiment);
