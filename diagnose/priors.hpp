@@ -25,8 +25,9 @@ inline constexpr double zero_tolerance = 0.001, axis_tolerance = 0.0003;
 inline constexpr double no_gap = 0.3;
 /// Probability that the cause of a gap is outside of the catalogue.
 inline constexpr double outside = 0.1;
-/// Share of such gaps that show at a few neighbouring readings alone.
-inline constexpr double local = 0.3;
+/// Shares of such gaps that show at a few neighbouring readings alone, and in which every reading of a
+/// channel is off by an amount of its own.
+inline constexpr double local = 0.3, nugget = 0.1;
 /// Shares of gaps with one cause of the catalogue, two, three.
 inline constexpr std::array<double, 3> causes{0.75, 0.2, 0.01};
 /// Probability that manufacturing tolerances show beside a cause.

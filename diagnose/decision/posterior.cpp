@@ -63,11 +63,13 @@ class Weights {
     std::vector<Weight> all{
         {std::log(priors::no_gap) + temper * found_.nominal.log_by_amplitude.front(), Of::nothing, true, 0}};
     const double outside = std::log(1 - priors::no_gap) + std::log(priors::outside);
-    add(all, outside + std::log(1 - priors::local), found_.nominal.log_by_amplitude, temper,
+    add(all, outside + std::log(1 - priors::local - priors::nugget), found_.nominal.log_by_amplitude, temper,
         priors_.log_amplitude_outside, {Of::outside, 0});
     all.push_back(
         {outside + std::log(priors::local) + temper * (found_.nominal.log_by_amplitude.front() + log_local_),
          Of::outside, true, 0});
+    all.push_back(
+        {outside + std::log(priors::nugget) + temper * found_.nominal.log_nugget, Of::outside, true, 0});
     for (std::size_t i = 0; i < found_.hypotheses.size(); ++i) {
       const Hypothesis& one = found_.hypotheses[i];
       const std::vector<double>& likelihood = one.look.log_by_amplitude;
@@ -75,8 +77,11 @@ class Weights {
       if (!has_outside(one.candidate)) {
         add(all, base + std::log(1 - priors::outside), likelihood, temper, priors_.log_amplitude,
             {Of::listed, i});
-        add(all, base + std::log(priors::outside), likelihood, temper, priors_.log_amplitude_outside,
+        const double elsewhere = base + std::log(priors::outside);
+        add(all, elsewhere + std::log(1 - priors::nugget), likelihood, temper, priors_.log_amplitude_outside,
             {Of::outside, i});
+        all.push_back(
+            {elsewhere + std::log(priors::nugget) + temper * one.look.log_nugget, Of::outside, true, i});
         continue;
       }
       std::vector<double> terms;

@@ -73,6 +73,11 @@ void BlockLikelihood::lay_grid(double unit) {
   }
   const double norm = log_sum(prior);
   for (int k = 0; k <= steps; ++k) log_scale_.push_back(prior(k) - norm);
+  log_nugget_.setConstant(steps + 1, -std::numeric_limits<double>::infinity());
+  const auto larger = std::count_if(scale_.begin(), scale_.end(), [](double s) { return s >= 1; });
+  for (int k = 0; k <= steps; ++k)
+    if (scale_[static_cast<std::size_t>(k)] >= 1)
+      log_nugget_(k) = -std::log(static_cast<double>(larger)) - log_scale_[static_cast<std::size_t>(k)];
   const std::size_t scales = scale_.size();
   inverse_square_.resize(static_cast<Eigen::Index>(priors_.amplitude.size() * scales));
   for (Eigen::Index cell = 0; cell < inverse_square_.size(); ++cell)
@@ -175,14 +180,18 @@ BlockLikelihood::Look BlockLikelihood::look(const MatrixXd& columns) const {
           one.constant - 0.5 * (one.inverse * along + result.square.back()(0, 0) * inverse_square_));
     }
   }
-  for (std::size_t a = 0; a < priors_.amplitude.size(); ++a) {
+  const auto sum = [&](std::size_t amplitude, const VectorXd& beside) {
     VectorXd parts(static_cast<Eigen::Index>(noise_.size() * priors_.length.size()));
     Eigen::Index next = 0;
     for (const auto& by_length : result.log_cell)
       for (const VectorXd& cells : by_length)
-        parts(next++) = log_sum(cells.segment(static_cast<Eigen::Index>(a) * scales, scales));
-    result.log_by_amplitude.push_back(log_sum(parts));
-  }
+        parts(next++) =
+            log_sum(cells.segment(static_cast<Eigen::Index>(amplitude) * scales, scales) + beside);
+    return log_sum(parts);
+  };
+  for (std::size_t a = 0; a < priors_.amplitude.size(); ++a)
+    result.log_by_amplitude.push_back(sum(a, VectorXd::Zero(scales)));
+  result.log_nugget = sum(0, log_nugget_) - result.log_by_amplitude.front();
   return result;
 }
 

@@ -115,12 +115,17 @@ void Likelihood::add_marked(const std::vector<BlockLikelihood::Split>& at, const
   }
   look.log_likelihood += sum;
   for (double& one : look.log_by_amplitude) one += sum;
+  look.log_nugget += sum;
 }
 
 Look Likelihood::look(const VectorXd& residual, const MatrixXd& jacobian) const {
   const std::vector<BlockLikelihood::Look> blocks = look_at_blocks(residual, jacobian);
   Look result;
   result.log_by_amplitude = together(blocks);
+  std::vector<double> nugget;
+  for (const BlockLikelihood::Look& one : blocks) nugget.push_back(one.log_nugget);
+  result.log_nugget = result.log_by_amplitude.front() + log_sum(as_vector(nugget)) -
+                      std::log(static_cast<double>(nugget.size()));
   std::vector<double> joint(result.log_by_amplitude.size());
   for (std::size_t a = 0; a < joint.size(); ++a)
     joint[a] = result.log_by_amplitude[a] + priors_.log_amplitude[a];

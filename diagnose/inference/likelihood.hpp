@@ -17,6 +17,9 @@ struct Look {
   MatrixXd information;       ///< Gauss and Newton's
   /// Log likelihood at each size of the discrepancy.
   std::vector<double> log_by_amplitude;
+  /// Log likelihood with a nugget in one channel, whichever: a discrepancy that no function of the command
+  /// describes.
+  double log_nugget = 0;
 };
 
 /// Posterior means of discrepancy and noise where a model leaves a residual.

@@ -12,7 +12,7 @@ import numpy as np
 AMPLITUDE = np.array([0, 0.01, 0.02, 0.04, 0.08, 0.16, 0.32, 0.64, 1.28])
 LENGTH = [0.15, 0.4, 1.0]
 CORRELATION = np.array([0, 0.35, 0.65, 0.85])
-NO_GAP, OUTSIDE, LOCAL = 0.3, 0.1, 0.3
+NO_GAP, OUTSIDE, LOCAL, NUGGET = 0.3, 0.1, 0.3, 0.1
 TEMPER, WRONG, LARGEST = 0.25, 20, 8
 SHARE, WIDTH = 0.02, 10  # of outliers
 
@@ -114,6 +114,8 @@ class Block:
         steps = int(np.clip(np.ceil(np.log(high / low) / np.log(1.25)), 10, 24))
         self.scale = low * (high / low) ** (np.arange(steps + 1) / steps)
         self.log_scale = log_normalised(-2.5 * np.log1p((np.log(self.scale) / 0.25) ** 2 / 4))
+        larger = self.scale >= 1
+        self.nugget = np.where(larger, -np.log(larger.sum()) - self.log_scale, -np.inf)
         places = [data["places"][i] for i in self.rows]
         whole = [states.covariance(places, length) for length in LENGTH]
         at = self.kept - first
@@ -168,9 +170,12 @@ class Likelihood:
         self.periodic, self.weight = periodic, np.where(self.outlier, 0, 1 / np.array(data["relative"]))
 
     def look(self, residual, jacobian):
-        """Log likelihood by amplitude, and Gauss and Newton's information about the parameters with its gradient."""
+        """Log likelihood by amplitude and with a nugget; Gauss and Newton's gradient and information by the parameters;
+        what is left in standard deviations."""
         grids = [b.grid(residual) for b in self.blocks]
         by_amplitude = sum(np.array([log_sum(g[:, a]) for a in range(len(AMPLITUDE))]) for g in grids)
+        nugget = [log_sum(g[:, 0] + b.nugget) - log_sum(g[:, 0]) for b, g in zip(self.blocks, grids)]
+        nugget = by_amplitude[0] + log_sum(nugget) - np.log(len(nugget))
         posterior = log_normalised(by_amplitude + LOG_LISTED)
         information, gradient = np.zeros((jacobian.shape[1],) * 2), np.zeros(jacobian.shape[1])
         left, sigma = residual.copy(), np.array(self.data["relative"])
@@ -198,7 +203,8 @@ class Likelihood:
         inlier = np.exp(log_inlier(z) - np.array([log_sum([log_outlier(x), log_inlier(x)]) for x in z]))
         curve = np.where(self.outlier, inlier + (1 - inlier) * 2 / (WIDTH**2 + z**2), 0)
         slopes = jacobian / sigma[:, None]
-        return by_amplitude + marked, gradient - slopes.T @ (curve * z), information + slopes.T @ (curve[:, None] * slopes), z
+        gradient, information = gradient - slopes.T @ (curve * z), information + slopes.T @ (curve[:, None] * slopes)
+        return by_amplitude + marked, nugget + marked, gradient, information, z
 
 
 def log_volume(parameters, gradient, information, temper):
@@ -243,7 +249,7 @@ def local_departure(data, z):
     return log_sum(sums) - np.log(len(sums))
 
 
-def rows(data, looks, nominal, local, temper):
+def rows(data, looks, nominal, nugget, local, temper):
     """Every way in which the readings may have come about: log weight, cause (None: no gap), whether nothing is left."""
     def of(log_by_amplitude, prior):
         joint = temper * log_by_amplitude + prior
@@ -251,9 +257,10 @@ def rows(data, looks, nominal, local, temper):
 
     gap = np.log(1 - NO_GAP)
     result = [(np.log(NO_GAP) + temper * nominal[0], None, True)]
-    result.append((gap + np.log(OUTSIDE * (1 - LOCAL)) + of(nominal, LOG_OUTSIDE)[1], "outside", False))
+    result.append((gap + np.log(OUTSIDE * (1 - LOCAL - NUGGET)) + of(nominal, LOG_OUTSIDE)[1], "outside", False))
     result.append((gap + np.log(OUTSIDE * LOCAL) + temper * (nominal[0] + local), "outside", True))
-    for one, (by_amplitude, gradient, information) in zip(data["hypotheses"], looks):
+    result.append((gap + np.log(OUTSIDE * NUGGET) + temper * nugget, "outside", True))
+    for one, (by_amplitude, with_nugget, gradient, information) in zip(data["hypotheses"], looks):
         base = gap + one["log_prior"] + log_volume(one["parameters"], gradient, information, temper)
         own = sorted(e["label"] for e in one["effects"] if not e["outside"] and not e["tolerance"])
         own = tuple(own or sorted(e["label"] for e in one["effects"] if not e["outside"]))
@@ -269,21 +276,22 @@ def rows(data, looks, nominal, local, temper):
             continue
         exact, some = of(by_amplitude, LOG_LISTED)
         result += [(base + np.log(1 - OUTSIDE) + exact, own, True), (base + np.log(1 - OUTSIDE) + some, own, False)]
-        result.append((base + np.log(OUTSIDE) + of(by_amplitude, LOG_OUTSIDE)[1], "outside", False))
+        result.append((base + np.log(OUTSIDE * (1 - NUGGET)) + of(by_amplitude, LOG_OUTSIDE)[1], "outside", False))
+        result.append((base + np.log(OUTSIDE * NUGGET) + temper * with_nugget, "outside", True))
     return result
 
 
 def decide(data):
     likelihood = Likelihood(data)
-    nominal, _, _, z = likelihood.look(np.array(data["nominal"]), np.zeros((len(data["nominal"]), 0)))
+    nominal, nugget, _, _, z = likelihood.look(np.array(data["nominal"]), np.zeros((len(data["nominal"]), 0)))
     looks = []
     for one in data["hypotheses"]:
         residual = np.array(one["residual"])
-        looks.append(likelihood.look(residual, np.array(one["jacobian"]).reshape(-1, len(residual)).T)[:3])
+        looks.append(likelihood.look(residual, np.array(one["jacobian"]).reshape(-1, len(residual)).T)[:4])
     local = local_departure(data, z)
 
     def probabilities(temper):
-        all_rows = rows(data, looks, nominal, local, temper)
+        all_rows = rows(data, looks, nominal, nugget, local, temper)
         weight = np.exp(log_normalised([r[0] for r in all_rows]))
         return [(w, cause, exact) for w, (_, cause, exact) in zip(weight, all_rows)]
 
