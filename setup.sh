@@ -52,8 +52,6 @@ tests=(
   "${python[@]}" python3-pytest mypy
   # pages, in a browser
   chromium chromium-driver python3-selenium poppler-utils
-  # the proofs
-  "${proofs[@]}"
   # packages and what is installed, as a user meets them
   dpkg-dev man-db zsh
   # the site
