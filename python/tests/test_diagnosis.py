@@ -95,7 +95,7 @@ def broken(**changes):
     ({}, [{"id": "a"}], "experiment: run[1].samples: found no such key, expected columns of readings"),
     ({}, [run("u-press", rest=[0, 0])], "experiment: run[1].rest: found 2 values, expected 4, one for each link of the nominal chain"),
     ({}, [run("u-press", control="push")],
-     "experiment: run[1].control: found 'push', expected \"displacement\" or \"force\""),
+     "experiment: run[1].control: found 'push', expected \"displacement\", \"force\" or \"command\""),
     ({}, [run("u-press", speed=1)], "experiment: run[1].speed: found an unknown key, expected one of "),
     ({}, [run("u-press"), run("u-press")], 'experiment: run[2].id: found "u-press" again, expected an id that no other'),
     ({"nominal": {**NOMINAL, "joint_stiffness": [1, 1, -1, 1]}}, [run("u-press")],
