@@ -77,11 +77,8 @@ class Weights {
       if (!has_outside(one.candidate)) {
         add(all, base + std::log(1 - priors::outside), likelihood, temper, priors_.log_amplitude,
             {Of::listed, i});
-        const double elsewhere = base + std::log(priors::outside);
-        add(all, elsewhere + std::log(1 - priors::nugget), likelihood, temper, priors_.log_amplitude_outside,
+        add(all, base + std::log(priors::outside), likelihood, temper, priors_.log_amplitude_outside,
             {Of::outside, i});
-        all.push_back(
-            {elsewhere + std::log(priors::nugget) + temper * one.look.log_nugget, Of::outside, true, i});
         continue;
       }
       std::vector<double> terms;

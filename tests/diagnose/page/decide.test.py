@@ -260,7 +260,7 @@ def rows(data, looks, nominal, nugget, local, temper):
     result.append((gap + np.log(OUTSIDE * (1 - LOCAL - NUGGET)) + of(nominal, LOG_OUTSIDE)[1], "outside", False))
     result.append((gap + np.log(OUTSIDE * LOCAL) + temper * (nominal[0] + local), "outside", True))
     result.append((gap + np.log(OUTSIDE * NUGGET) + temper * nugget, "outside", True))
-    for one, (by_amplitude, with_nugget, gradient, information) in zip(data["hypotheses"], looks):
+    for one, (by_amplitude, _, gradient, information) in zip(data["hypotheses"], looks):
         base = gap + one["log_prior"] + log_volume(one["parameters"], gradient, information, temper)
         own = sorted(e["label"] for e in one["effects"] if not e["outside"] and not e["tolerance"])
         own = tuple(own or sorted(e["label"] for e in one["effects"] if not e["outside"]))
@@ -276,8 +276,7 @@ def rows(data, looks, nominal, nugget, local, temper):
             continue
         exact, some = of(by_amplitude, LOG_LISTED)
         result += [(base + np.log(1 - OUTSIDE) + exact, own, True), (base + np.log(1 - OUTSIDE) + some, own, False)]
-        result.append((base + np.log(OUTSIDE * (1 - NUGGET)) + of(by_amplitude, LOG_OUTSIDE)[1], "outside", False))
-        result.append((base + np.log(OUTSIDE * NUGGET) + temper * with_nugget, "outside", True))
+        result.append((base + np.log(OUTSIDE) + of(by_amplitude, LOG_OUTSIDE)[1], "outside", False))
     return result
 
 
