@@ -147,7 +147,7 @@ struct Run {
 
 /// Declared standard deviation of one reading; 0 for a channel that has none.
 struct Noise {
-  double x, y, Fx, Fy, q;
+  double x = 0, y = 0, Fx = 0, Fy = 0, q = 0;
   double place = 0, turn = 0, torque = 0;  ///< of an arm's points, m and rad, and of its drives
 };
 

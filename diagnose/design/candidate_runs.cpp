@@ -24,7 +24,7 @@ struct Direction {
 
 /// A joint alone goes one way or the other.
 const std::vector<Direction>& directions(Alone alone) {
-  static const std::vector<Direction> line{{"down", {-1, 0}}, {"up", {1, 0}}};
+  static const std::vector<Direction> line{{"the negative way", {-1, 0}}, {"the positive way", {1, 0}}};
   if (alone != Alone::no) return line;
   static const std::vector<Direction> all{{"along -x", {-1, 0}},
                                           {"along +x", {1, 0}},

@@ -272,7 +272,8 @@ std::string answer(const Diagnosis& diagnosis) {
   std::string text = (cause.verdict == CauseVerdict::identified ? "Identified: " : "Ambiguous: ") +
                      in_words(cause.ranking.front().cause);
   const std::size_t others = cause.named - 1 + (cause.or_unknown ? 1 : 0);
-  if (others > 0) text += fmt::format(", or one of {} alternative{} below", others, others > 1 ? "s" : "");
+  if (others == 1) text += ", or the alternative below";
+  if (others > 1) text += fmt::format(", or one of {} alternatives below", others);
   if (outside_is_likelier(cause)) text += ", a cause outside the catalogue the most probable of all";
   return text + "\n" + few_values(diagnosis);
 }

@@ -85,7 +85,7 @@ TEST_CASE("the headline names the cause with few values, the number of alternati
   CHECK(has_words(as_text(made),
                   "2 alternatives below, a cause outside the catalogue the most probable of all\n"));
   made.cause.or_unknown = false;
-  CHECK(has_words(as_text(made), "the links, or one of 1 alternative below\n"));
+  CHECK(has_words(as_text(made), "the links, or the alternative below\n"));
   made = made_up_unknown();
   CHECK(has_words(as_text(made),
                   "\n\nUnknown: the cause is outside the catalogue with probability 0.970\n"
