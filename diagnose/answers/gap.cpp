@@ -58,6 +58,7 @@ GapAnswer describe_gap(const Study& study, const NoiseEstimate& noise, const Vec
       if (run.interpolated[c] > 0)
         gap.interpolated.push_back({run.id, study.experiment().covariates[c], run.interpolated[c],
                                     run.last_taken(run.readings.size() - 1) + 1});
+    if (run.is_thinned()) gap.thinned.push_back({run.id, run.readings.size(), run.groups.first.back()});
     if (run.branch) gap.other_branch.push_back({run.id, run.first_taken(run.branch->first())});
   }
   return gap;

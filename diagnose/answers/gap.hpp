@@ -56,6 +56,12 @@ struct InterpolatedCovariate {
   std::size_t count, of;  ///< such readings, and all
 };
 
+/// A run of an arm of which some readings were left out (thin_poses.hpp).
+struct ThinnedRun {
+  std::string run;
+  std::size_t count, of;  ///< readings that are used, and all
+};
+
 struct GapAnswer {
   bool present = false;
   double probability = 0;         ///< that there is one
@@ -67,6 +73,7 @@ struct GapAnswer {
   std::vector<OtherBranch> other_branch;
   std::vector<ContinuedRun> continued;
   std::vector<InterpolatedCovariate> interpolated;
+  std::vector<ThinnedRun> thinned;
   std::vector<NoisierReadings> noisier;
   std::vector<ChannelInterference> interference;
 };

@@ -56,7 +56,8 @@ struct Origin {
 
 /// The groups of a decimated run (decimate.hpp).
 struct Groups {
-  std::size_t size = 1;            ///< readings of a group, except at turning points and ends
+  std::size_t size =
+      1;  ///< readings of a group, except at turning points and ends; 1 where others were left out
   std::vector<std::size_t> first;  ///< first original reading of each group, and the
                                    ///< end; empty where the run is not decimated
 };
@@ -141,6 +142,8 @@ struct Run {
   /// The first and last original reading, from 0, of a decimated reading.
   [[nodiscard]] std::size_t first_taken(std::size_t reading) const;
   [[nodiscard]] std::size_t last_taken(std::size_t reading) const;
+  /// Whether readings of it were left out.
+  [[nodiscard]] bool is_thinned() const { return groups.size == 1 && !groups.first.empty(); }
   /// Declared noise of a decimated reading over that of an original one.
   [[nodiscard]] double noise_of_group() const;
 };

@@ -76,7 +76,9 @@ Json gap(const GapAnswer& answer, const NoiseEstimate& estimate) {
   for (const InterpolatedCovariate& one : answer.interpolated)
     report["interpolated"].push_back(
         {{"run", one.run}, {"covariate", one.covariate}, {"readings", one.count}, {"of", one.of}});
-  report["other_branch"] = Json::array();
+  report["thinned"] = Json::array(), report["other_branch"] = Json::array();
+  for (const ThinnedRun& one : answer.thinned)
+    report["thinned"].push_back({{"run", one.run}, {"readings", one.count}, {"of", one.of}});
   for (const OtherBranch& one : answer.other_branch)
     report["other_branch"].push_back({{"run", one.run}, {"from", one.reading}});
   return report;

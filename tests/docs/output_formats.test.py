@@ -20,6 +20,7 @@ from program import plumbline
 RARE = {"gap-diagnosis": {"/law/laws/relaxation/time_constant", "/law/laws/relaxation/stiffness",
                           # tests of the report write these: report_text, draft_of_shapes
                           *(f"/gap/continued_runs/{key}" for key in ("run", "by")),
+                          *(f"/gap/thinned/{key}" for key in ("run", "readings", "of")),
                           *(f"/gap/interpolated/{key}" for key in ("run", "covariate", "readings", "of"))},
         "path": {"/certificates/failure/load", "/certificates/failure/reason"}}
 

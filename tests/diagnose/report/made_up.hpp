@@ -64,6 +64,7 @@ inline Diagnosis made_up() {
               {{"press-1", 3}},
               {{"press-1", {"press-1b"}}},
               {{"load-2", "temperature", 3, 9}},
+              {{"load-2", 800, 9000}},
               {{"load-2", Sensor::force, 0, 4, true, 2.7}, {"press-1", Sensor::angle, 4, 9, false, 3.25}},
               {{"press-1", of_q2, 7.5, 1.25}}};
   made.noise.shape.proportional = {{Channel::Name::Fx, 0.021}};

@@ -24,6 +24,7 @@ TEST_CASE("the JSON has every number of a diagnosis, by hand") {
     "assumed_weights": ["load-2"],
     "continued_runs": [{"run": "press-1", "by": ["press-1b"]}],
     "interpolated": [{"run": "load-2", "covariate": "temperature", "readings": 3, "of": 9}],
+    "thinned": [{"run": "load-2", "readings": 800, "of": 9000}],
     "other_branch": [{"run": "press-1", "from": 3}]})json"));
   CHECK(json["where"] == ReportJson::parse(R"json({
     "channels": [{"channel": "Fx", "share": 0.75}, {"channel": "q2", "share": 0.25}],
