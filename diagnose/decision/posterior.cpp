@@ -52,8 +52,7 @@ class Weights {
     in_parallel(count, study.threads(), [&](std::size_t i) {
       const Hypothesis& one = findings.hypotheses[i];
       if (has_outside(one.candidate) && !labels_of(one.candidate).empty())
-        log_odds_[i] = priors_.log_odds_of_listed(std::max(1e-3, discrepancy_share(study, findings, one))) +
-                       std::log((1 - priors::outside) / priors::outside);
+        log_odds_[i] = log_odds_of_listed(discrepancy_share(study, findings, one));
     });
   }
 
@@ -79,18 +78,18 @@ class Weights {
             {Of::listed, i});
         add(all, base + std::log(priors::outside), likelihood, temper, priors_.log_amplitude_outside,
             {Of::outside, i});
+        split(all, base + std::log(priors::nugget) + temper * one.look.log_nugget,
+              log_odds_of_listed(one.look.nugget_size), true, i);
         continue;
       }
       std::vector<double> terms;
       for (std::size_t a = 0; a < likelihood.size(); ++a)
         terms.push_back(temper * likelihood[a] + priors_.log_amplitude[a]);
       const double weight = base + log_sum_of(terms);
-      if (labels_of(one.candidate).empty()) {
+      if (labels_of(one.candidate).empty())
         all.push_back({weight, Of::outside, false, i});
-      } else {
-        all.push_back({weight - std::log1p(std::exp(log_odds_[i])), Of::outside, false, i});
-        all.push_back({weight - std::log1p(std::exp(-log_odds_[i])), Of::listed, false, i});
-      }
+      else
+        split(all, weight, log_odds_[i], false, i);
     }
     const double sum = log_total(all);
     for (Weight& one : all) one.log_weight -= sum;
@@ -98,6 +97,19 @@ class Weights {
   }
 
  private:
+  /// Of a cause in the catalogue over one outside, where so much of the nominal residual is left to what the
+  /// catalogue does not have.
+  [[nodiscard]] double log_odds_of_listed(double size) const {
+    return priors_.log_odds_of_listed(std::max(1e-3, size)) +
+           std::log((1 - priors::outside) / priors::outside);
+  }
+
+  /// A hypothesis of a cause in the catalogue and of one outside.
+  static void split(std::vector<Weight>& all, double weight, double log_odds, bool exact, std::size_t of) {
+    all.push_back({weight - std::log1p(std::exp(log_odds)), Weight::Of::outside, exact, of});
+    all.push_back({weight - std::log1p(std::exp(-log_odds)), Weight::Of::listed, exact, of});
+  }
+
   /// A hypothesis with nothing left, and with a discrepancy of any size.
   static void add(std::vector<Weight>& all, double base, const std::vector<double>& likelihood, double temper,
                   const std::vector<double>& prior, std::pair<Weight::Of, std::size_t> of) {

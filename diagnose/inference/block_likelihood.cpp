@@ -74,10 +74,14 @@ void BlockLikelihood::lay_grid(double unit) {
   const double norm = log_sum(prior);
   for (int k = 0; k <= steps; ++k) log_scale_.push_back(prior(k) - norm);
   log_nugget_.setConstant(steps + 1, -std::numeric_limits<double>::infinity());
+  nugget_size_.setZero(steps + 1);
   const auto larger = std::count_if(scale_.begin(), scale_.end(), [](double s) { return s >= 1; });
-  for (int k = 0; k <= steps; ++k)
-    if (scale_[static_cast<std::size_t>(k)] >= 1)
-      log_nugget_(k) = -std::log(static_cast<double>(larger)) - log_scale_[static_cast<std::size_t>(k)];
+  for (int k = 0; k <= steps; ++k) {
+    const double scale = scale_[static_cast<std::size_t>(k)];
+    if (scale < 1) continue;
+    log_nugget_(k) = -std::log(static_cast<double>(larger)) - log_scale_[static_cast<std::size_t>(k)];
+    nugget_size_(k) = std::sqrt(scale * scale - 1) / unit;
+  }
   const std::size_t scales = scale_.size();
   inverse_square_.resize(static_cast<Eigen::Index>(priors_.amplitude.size() * scales));
   for (Eigen::Index cell = 0; cell < inverse_square_.size(); ++cell)
@@ -180,18 +184,23 @@ BlockLikelihood::Look BlockLikelihood::look(const MatrixXd& columns) const {
           one.constant - 0.5 * (one.inverse * along + result.square.back()(0, 0) * inverse_square_));
     }
   }
-  const auto sum = [&](std::size_t amplitude, const VectorXd& beside) {
-    VectorXd parts(static_cast<Eigen::Index>(noise_.size() * priors_.length.size()));
+  // By scale, at one size of the discrepancy.
+  const auto by_scale = [&](std::size_t amplitude) {
+    MatrixXd parts(static_cast<Eigen::Index>(noise_.size() * priors_.length.size()), scales);
     Eigen::Index next = 0;
     for (const auto& by_length : result.log_cell)
       for (const VectorXd& cells : by_length)
-        parts(next++) =
-            log_sum(cells.segment(static_cast<Eigen::Index>(amplitude) * scales, scales) + beside);
-    return log_sum(parts);
+        parts.row(next++) = cells.segment(static_cast<Eigen::Index>(amplitude) * scales, scales).transpose();
+    VectorXd sums(scales);
+    for (Eigen::Index s = 0; s < scales; ++s) sums(s) = log_sum(parts.col(s));
+    return sums;
   };
   for (std::size_t a = 0; a < priors_.amplitude.size(); ++a)
-    result.log_by_amplitude.push_back(sum(a, VectorXd::Zero(scales)));
-  result.log_nugget = sum(0, log_nugget_) - result.log_by_amplitude.front();
+    result.log_by_amplitude.push_back(log_sum(by_scale(a)));
+  const VectorXd nugget = by_scale(0) + log_nugget_;
+  const double all = log_sum(nugget);
+  result.log_nugget = all - result.log_by_amplitude.front();
+  result.nugget_size = (nugget.array() - all).exp().matrix().dot(nugget_size_);
   return result;
 }
 

@@ -23,10 +23,12 @@ class BlockLikelihood {
 
   /// What the grid says of one residual and its derivatives.
   struct Look {
-    std::vector<double> log_by_amplitude;         ///< log likelihood, all else summed out
+    std::vector<double> log_by_amplitude;  ///< log likelihood, all else summed out
     /// Logarithm of the likelihood with a nugget over that with noise alone: its scale is one or larger, any
     /// order of magnitude as probable.
     double log_nugget = 0;
+    double nugget_size =
+        0;  ///< posterior mean of its size, over the root mean square of the nominal residual
     std::vector<std::vector<VectorXd>> log_cell;  ///< [correlation][length]: by amplitude and scale
     std::vector<MatrixXd> square;                 ///< [correlation]: whitened products
     std::vector<std::vector<MatrixXd>> rotated;   ///< [correlation][length]
@@ -84,6 +86,7 @@ class BlockLikelihood {
   std::vector<Eigen::Index> kept_;  ///< values that are no outliers
   std::vector<double> scale_, log_scale_;
   VectorXd log_nugget_;      ///< by scale: prior of the scale with a nugget over that of noise alone
+  VectorXd nugget_size_;     ///< by scale, over the root mean square of the nominal residual
   VectorXd inverse_square_;  ///< by cell: 1 / s^2
   std::vector<Whitening> noise_;
   std::vector<std::vector<Rotation>> rotation_;  ///< [correlation][length]

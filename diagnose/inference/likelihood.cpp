@@ -124,8 +124,10 @@ Look Likelihood::look(const VectorXd& residual, const MatrixXd& jacobian) const 
   result.log_by_amplitude = together(blocks);
   std::vector<double> nugget;
   for (const BlockLikelihood::Look& one : blocks) nugget.push_back(one.log_nugget);
-  result.log_nugget = result.log_by_amplitude.front() + log_sum(as_vector(nugget)) -
-                      std::log(static_cast<double>(nugget.size()));
+  const double any = log_sum(as_vector(nugget));
+  result.log_nugget = result.log_by_amplitude.front() + any - std::log(static_cast<double>(nugget.size()));
+  for (const BlockLikelihood::Look& one : blocks)
+    result.nugget_size += std::exp(one.log_nugget - any) * one.nugget_size;
   std::vector<double> joint(result.log_by_amplitude.size());
   for (std::size_t a = 0; a < joint.size(); ++a)
     joint[a] = result.log_by_amplitude[a] + priors_.log_amplitude[a];

@@ -20,6 +20,7 @@ struct Look {
   /// Log likelihood with a nugget in one channel, whichever: a discrepancy that no function of the command
   /// describes.
   double log_nugget = 0;
+  double nugget_size = 0;  ///< of that nugget, over the root mean square of the channel's nominal residual
 };
 
 /// Posterior means of discrepancy and noise where a model leaves a residual.

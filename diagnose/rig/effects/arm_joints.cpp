@@ -78,7 +78,7 @@ std::vector<Effect> forces() {
        .at_joint = true,
        .parameters =
            [](const Place& at) {
-             const double soft = 1e-3 / at.scales.torque;
+             const double soft = 1e-3 / typical_load(at);
              return std::vector{slides(at) ? one_way("c", "m/N", soft, 300 * soft)
                                            : one_way("c", "rad/(N m)", soft, 300 * soft)};
            },
@@ -90,15 +90,18 @@ std::vector<Effect> forces() {
        .dissipates = true,
        .parameters =
            [](const Place& at) {
-             return std::vector{
-                 one_way("tau_c", slides(at) ? "N" : "N m", 0.05 * at.scales.torque, 10 * at.scales.torque)};
+             // Geared axes can hold more by friction than their loads ask for.
+             const double load = typical_load(at);
+             return std::vector{one_way("tau_c", slides(at) ? "N" : "N m", 0.05 * load, 50 * load)};
            },
        .add = [](const Addition& to) { to.rig.friction[to.joint] += to.value[0]; },
        .possible = [](const Place& at) { return yields_or_is_weighed(at) && at.scales.moves[at.joint]; },
        .initial_guesses =
            [](const Place& at, const Excitation&) {
-             return InitialGuesses{
-                 {{0.02 * at.scales.torque}, {0.1 * at.scales.torque}, {0.4 * at.scales.torque}}, 1};
+             InitialGuesses guesses{{}, 1};
+             for (const double share : {0.02, 0.1, 0.4, 2.0, 10.0})
+               guesses.points.push_back({share * typical_load(at)});
+             return guesses;
            },
        .perturbation = {.large_step = true}},
       {.id = "joint_balance",
@@ -117,8 +120,8 @@ std::vector<Effect> forces() {
        .at_joint = true,
        .parameters =
            [](const Place& at) {
-             return std::vector{both_ways("b", slides(at) ? "N" : "N m", 0.05 * at.scales.torque,
-                                          -3 * at.scales.torque, 3 * at.scales.torque)};
+             const double load = typical_load(at);
+             return std::vector{both_ways("b", slides(at) ? "N" : "N m", 0.05 * load, -3 * load, 3 * load)};
            },
        .add = [](const Addition& to) { to.rig.arm->torque_bias[to.joint] += to.value[0]; },
        .possible = [](const Place& at) { return at.scales.measures(Channel::Name::drive); }},

@@ -11,6 +11,11 @@ inline bool slides(const Place& at) {
   return at.scales.arm->arm.links[at.joint].kind == JointKind::prismatic;
 }
 
+/// The typical load of the joint: a force, N, where it slides, else a torque, N m.
+inline double typical_load(const Place& at) {
+  return slides(at) ? at.scales.force : at.scales.torque;
+}
+
 /// Whether points of the arm are measured.
 inline bool points_are_read(const Place& at) {
   return at.scales.measures(Channel::Name::place) || at.scales.measures(Channel::Name::turn);

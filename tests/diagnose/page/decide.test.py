@@ -160,6 +160,12 @@ class Block:
         return np.array(result)
 
 
+    def size_of_nugget(self, grid):
+        """Its posterior mean, over the root mean square of the nominal residual."""
+        weight = np.exp(grid[:, 0] + self.nugget - log_sum(grid[:, 0] + self.nugget)).sum(0)
+        return weight @ np.sqrt(np.maximum(self.scale**2 - 1, 0)) / self.unit
+
+
 class Likelihood:
     def __init__(self, data):
         self.data = data
@@ -174,8 +180,10 @@ class Likelihood:
         what is left in standard deviations."""
         grids = [b.grid(residual) for b in self.blocks]
         by_amplitude = sum(np.array([log_sum(g[:, a]) for a in range(len(AMPLITUDE))]) for g in grids)
-        nugget = [log_sum(g[:, 0] + b.nugget) - log_sum(g[:, 0]) for b, g in zip(self.blocks, grids)]
-        nugget = by_amplitude[0] + log_sum(nugget) - np.log(len(nugget))
+        nugget = np.array([log_sum(g[:, 0] + b.nugget) - log_sum(g[:, 0]) for b, g in zip(self.blocks, grids)])
+        share = np.exp(log_normalised(nugget))
+        size = sum(w * b.size_of_nugget(g) for w, b, g in zip(share, self.blocks, grids))
+        nugget = (by_amplitude[0] + log_sum(nugget) - np.log(len(nugget)), size)
         posterior = log_normalised(by_amplitude + LOG_LISTED)
         information, gradient = np.zeros((jacobian.shape[1],) * 2), np.zeros(jacobian.shape[1])
         left, sigma = residual.copy(), np.array(self.data["relative"])
@@ -204,7 +212,7 @@ class Likelihood:
         curve = np.where(self.outlier, inlier + (1 - inlier) * 2 / (WIDTH**2 + z**2), 0)
         slopes = jacobian / sigma[:, None]
         gradient, information = gradient - slopes.T @ (curve * z), information + slopes.T @ (curve[:, None] * slopes)
-        return by_amplitude + marked, nugget + marked, gradient, information, z
+        return by_amplitude + marked, (nugget[0] + marked, nugget[1]), gradient, information, z
 
 
 def log_volume(parameters, gradient, information, temper):
@@ -249,6 +257,14 @@ def local_departure(data, z):
     return log_sum(sums) - np.log(len(sums))
 
 
+def split(weight, size, own, exact):
+    """Between the cause and one outside, where a share of that size is left to what the catalogue does not have."""
+    size = max(1e-3, size)
+    odds = (LOG_LISTED[1] + AMPLITUDE[1] / 0.1 - size / 0.1) - (LOG_OUTSIDE[1] - np.log(AMPLITUDE[1]) + np.log(size))
+    odds += np.log((1 - OUTSIDE) / OUTSIDE)
+    return [(weight - np.log1p(np.exp(odds)), "outside", exact), (weight - np.log1p(np.exp(-odds)), own, exact)]
+
+
 def rows(data, looks, nominal, nugget, local, temper):
     """Every way in which the readings may have come about: log weight, cause (None: no gap), whether nothing is left."""
     def of(log_by_amplitude, prior):
@@ -259,24 +275,22 @@ def rows(data, looks, nominal, nugget, local, temper):
     result = [(np.log(NO_GAP) + temper * nominal[0], None, True)]
     result.append((gap + np.log(OUTSIDE * (1 - LOCAL - NUGGET)) + of(nominal, LOG_OUTSIDE)[1], "outside", False))
     result.append((gap + np.log(OUTSIDE * LOCAL) + temper * (nominal[0] + local), "outside", True))
-    result.append((gap + np.log(OUTSIDE * NUGGET) + temper * nugget, "outside", True))
-    for one, (by_amplitude, _, gradient, information) in zip(data["hypotheses"], looks):
+    result.append((gap + np.log(OUTSIDE * NUGGET) + temper * nugget[0], "outside", True))
+    for one, (by_amplitude, (log_nugget, nugget_size), gradient, information) in zip(data["hypotheses"], looks):
         base = gap + one["log_prior"] + log_volume(one["parameters"], gradient, information, temper)
         own = sorted(e["label"] for e in one["effects"] if not e["outside"] and not e["tolerance"])
         own = tuple(own or sorted(e["label"] for e in one["effects"] if not e["outside"]))
         if any(e["outside"] for e in one["effects"]):
             whole = base + log_sum(temper * by_amplitude + LOG_LISTED)
             if own:
-                size = max(1e-3, one["discrepancy"])
-                odds = (LOG_LISTED[1] + AMPLITUDE[1] / 0.1 - size / 0.1) - (LOG_OUTSIDE[1] - np.log(AMPLITUDE[1]) + np.log(size))
-                odds += np.log((1 - OUTSIDE) / OUTSIDE)
-                result += [(whole - np.log1p(np.exp(odds)), "outside", False), (whole - np.log1p(np.exp(-odds)), own, False)]
+                result += split(whole, one["discrepancy"], own, False)
             else:
                 result.append((whole, "outside", False))
             continue
         exact, some = of(by_amplitude, LOG_LISTED)
         result += [(base + np.log(1 - OUTSIDE) + exact, own, True), (base + np.log(1 - OUTSIDE) + some, own, False)]
         result.append((base + np.log(OUTSIDE) + of(by_amplitude, LOG_OUTSIDE)[1], "outside", False))
+        result += split(base + np.log(NUGGET) + temper * log_nugget, nugget_size, own, True)
     return result
 
 
