@@ -89,7 +89,7 @@ struct Run {
   std::vector<std::string> continued_by = {};  ///< ids of runs that were read as its later parts
   std::vector<std::size_t> interpolated = {};  ///< by covariate, the readings without a value of it
   std::optional<Branch> branch =
-      std::nullopt;  ///< the observed branch, where the nominal model may take either
+      std::nullopt;                     ///< the observed branch, where the nominal model may take either
   std::vector<LoadChannel> loads = {};  ///< what loads the chain besides, as part of the command
 
   [[nodiscard]] bool holds_end_point() const { return control == Control::end_point; }

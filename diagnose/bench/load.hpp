@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Loads along the chain: known loads that act elsewhere than at the end point. Their values are covariates of
-/// the readings.
+/// Loads along the chain: known loads that act elsewhere than at the end point. Their values are covariates
+/// of the readings.
 
 #include <Eigen/Core>
 #include <cstddef>
@@ -15,7 +15,8 @@ namespace plumbline::diagnose {
 /// A tendon or a pressure that turns joints, or a force on a link.
 struct Load {
   enum class Kind { tendon, pressure, force } kind;
-  std::size_t covariate = 0;  ///< the tension, N, or the pressure, Pa; of a force that along x, before that along y
+  std::size_t covariate =
+      0;  ///< the tension, N, or the pressure, Pa; of a force that along x, before that along y
   std::vector<double> moment_arm = {};  ///< by joint, moment over value, m or m³; empty for a force
   std::size_t link = 0;                 ///< on which a force acts, from 0
   double at = 1;                        ///< share of the link's length at which it does

@@ -157,8 +157,8 @@ bool pulls_as_weights_do(const Run& run, const Experiment& experiment) {
          std::any_of(run.readings.begin(), run.readings.end(), pulls);
 }
 
-/// The source of an imposed force: as declared, or inferred. Joints that are commanded, and chains that tendons
-/// pull, have none without a force on the end point.
+/// The source of an imposed force: as declared, or inferred. Joints that are commanded, and chains that
+/// tendons pull, have none without a force on the end point.
 bool read_by_weights(const Section& section, const Run& run, const Experiment& experiment) {
   const auto loaded = [&](const Reading& reading) { return run.imposed_at(reading).norm() > 0; };
   const bool may_be_free = run.commands_joints() || (!run.holds_end_point() && !run.loads.empty());
@@ -208,8 +208,8 @@ std::vector<LoadChannel> loads_of(const Run& run, const Experiment& experiment) 
   std::vector<LoadChannel> loads =
       load_channels(experiment.loads, experiment.link_length, experiment.covariates);
   const double length = std::accumulate(experiment.link_length.begin(), experiment.link_length.end(), 0.0),
-               stiffest = *std::max_element(experiment.joint_stiffness.begin(),
-                                            experiment.joint_stiffness.end()),
+               stiffest =
+                   *std::max_element(experiment.joint_stiffness.begin(), experiment.joint_stiffness.end()),
                turn = stiffest > 0 ? length / stiffest : 0;
   for (LoadChannel& load : loads) {
     if (run.commands_joints()) load.moves *= turn;
@@ -339,8 +339,8 @@ Experiment read_settings(const Section& root, const Source& source, const Nomina
   const std::string expected = "\"chain-experiment/1\"";
   if (root.text("format", expected) != "chain-experiment/1") root.refuse("format", expected);
   if (root.has("arm")) return read_arm_settings(root, source);
-  root.allow_only({"format", "name", "date", "nominal", "bench", "load", "noise", "units", "csv", "columns",
-                   "run"});
+  root.allow_only(
+      {"format", "name", "date", "nominal", "bench", "load", "noise", "units", "csv", "columns", "run"});
   static_cast<void>(read_date(root));  // of use to who compares experiments
   Experiment experiment;
   experiment.name = root.name("name", "a name");

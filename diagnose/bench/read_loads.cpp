@@ -30,7 +30,8 @@ const Words& words_of(const Section& load) {
   const Words* found = nullptr;
   for (const Words* one : {&tendon, &pressure, &force}) {
     if (!load.has(one->values)) continue;
-    if (found) load.refuse(one->values, fmt::format("nothing beside {}: a load is one of them", found->values));
+    if (found)
+      load.refuse(one->values, fmt::format("nothing beside {}: a load is one of them", found->values));
     found = one;
   }
   if (!found) throw Error(load.where(), "a load without a kind", "one of tendon, pressure and force");
@@ -43,8 +44,8 @@ const Words& words_of(const Section& load) {
 
 /// Adds the columns of the load's values to the covariates.
 void add_values(const Section& section, const Words& words, const Load& load, SampleFormat& format) {
-  const std::string expected = load.values() == 2 ? "a list of two names of columns, along x and along y"
-                                                  : "the name of its column";
+  const std::string expected =
+      load.values() == 2 ? "a list of two names of columns, along x and along y" : "the name of its column";
   const std::vector<std::string> names = section.texts(words.values, expected);
   if (names.size() != load.values()) section.refuse(words.values, expected);
   const std::string place = section.place(words.values);

@@ -2,8 +2,8 @@
 /// \file
 /// Reads the tables [[load]] of experiment.toml.
 
-#include "diagnose/bench/nominal_chain.hpp"
 #include "diagnose/bench/load.hpp"
+#include "diagnose/bench/nominal_chain.hpp"
 #include "diagnose/bench/sample_format.hpp"
 #include "diagnose/bench/section.hpp"
 

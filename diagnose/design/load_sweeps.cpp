@@ -54,8 +54,8 @@ std::vector<CandidateRun> load_sweeps(const Experiment& experiment, const std::v
       for (const bool back : {false, true}) {
         Run run = swept(shape, load, range, back, so_far);
         if (follows(experiment, run, so_far))
-          all.push_back({fmt::format("{} from {:.3g} to {:.3g} {} from {}{}", load.name, range.low, range.high,
-                                     load.unit, shape.words, back ? " and back" : ""),
+          all.push_back({fmt::format("{} from {:.3g} to {:.3g} {} from {}{}", load.name, range.low,
+                                     range.high, load.unit, shape.words, back ? " and back" : ""),
                          std::move(run)});
       }
     }

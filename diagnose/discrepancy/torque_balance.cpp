@@ -35,8 +35,10 @@ Eigen::VectorXd turned_by(const ChainLoads& loads, const std::vector<double>& le
   }
   for (const ChainLoads::Force& force : loads.forces)
     for (std::size_t j = 0; j <= force.link; ++j) {
-      const double theta = angle(static_cast<Eigen::Index>(j)), lever = length[j] * (j < force.link ? 1 : force.at);
-      residual(static_cast<Eigen::Index>(j)) -= lever * force.value.dot(Vector2(-std::sin(theta), std::cos(theta)));
+      const double theta = angle(static_cast<Eigen::Index>(j)),
+                   lever = length[j] * (j < force.link ? 1 : force.at);
+      residual(static_cast<Eigen::Index>(j)) -=
+          lever * force.value.dot(Vector2(-std::sin(theta), std::cos(theta)));
     }
   return residual;
 }

@@ -137,8 +137,8 @@ Command command_of_joint_alone(const Run& run) {
 
 /// The range of a load's values.
 double range_of(const Run& run, const LoadChannel& load) {
-  const auto [least, most] = std::minmax_element(
-      run.readings.begin(), run.readings.end(), [&](const Reading& a, const Reading& b) {
+  const auto [least, most] =
+      std::minmax_element(run.readings.begin(), run.readings.end(), [&](const Reading& a, const Reading& b) {
         return a.covariates[load.covariate] < b.covariates[load.covariate];
       });
   return most->covariates[load.covariate] - least->covariates[load.covariate];

@@ -12,8 +12,7 @@ ChainLoads between(const ChainLoads& from, const ChainLoads& to, double share) {
     loads.moment[i] = start + share * (to.moment[i] - start);
   }
   for (std::size_t i = 0; i < loads.forces.size(); ++i) {
-    const Eigen::Vector2d start =
-        from.forces.empty() ? Eigen::Vector2d(0, 0) : from.forces[i].value;
+    const Eigen::Vector2d start = from.forces.empty() ? Eigen::Vector2d(0, 0) : from.forces[i].value;
     loads.forces[i].value = start + share * (to.forces[i].value - start);
   }
   return loads;

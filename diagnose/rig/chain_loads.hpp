@@ -14,8 +14,8 @@ namespace plumbline::diagnose {
 /// The loads along a chain at one time.
 struct ChainLoads {
   struct Force {
-    std::size_t link;  ///< from 0
-    double at;         ///< share of its length
+    std::size_t link;       ///< from 0
+    double at;              ///< share of its length
     Eigen::Vector2d value;  ///< N
   };
   std::vector<double> moment;  ///< on each joint, N m; empty where nothing loads the chain
@@ -27,7 +27,8 @@ struct ChainLoads {
 ChainLoads between(const ChainLoads& from, const ChainLoads& to, double share);
 
 /// The loads on a rig along a run, in which tendons rub. From one joint that it passes to the next, a tendon
-/// keeps its tension until it differs by a factor exp(mu) from that before the joint (capstan), and then slips.
+/// keeps its tension until it differs by a factor exp(mu) from that before the joint (capstan), and then
+/// slips.
 class LoadHistory {
  public:
   /// \param loads             outlive it

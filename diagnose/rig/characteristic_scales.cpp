@@ -12,7 +12,8 @@ double or_zero(double value) {
   return std::isfinite(value) ? value : 0.0;
 }
 
-/// The force that nine readings of ten stay below, on the end point or, of loads along the chain, as if there.
+/// The force that nine readings of ten stay below, on the end point or, of loads along the chain, as if
+/// there.
 double typical_force(const Experiment& experiment) {
   const std::vector<LoadChannel> loads =
       load_channels(experiment.loads, experiment.link_length, experiment.covariates);
@@ -33,8 +34,8 @@ double typical_force(const Experiment& experiment) {
 /// What tendons and pressures do.
 void find_tendons(const Experiment& experiment, CharacteristicScales& size) {
   for (const Load& load : experiment.loads) {
-    const auto passed = std::count_if(load.moment_arm.begin(), load.moment_arm.end(),
-                                      [](double arm) { return arm != 0; });
+    const auto passed =
+        std::count_if(load.moment_arm.begin(), load.moment_arm.end(), [](double arm) { return arm != 0; });
     size.turned_by_loads = size.turned_by_loads || passed > 0;
     size.long_tendon = size.long_tendon || (load.kind == Load::Kind::tendon && passed > 1);
   }

@@ -97,7 +97,7 @@ struct Traveller {
   }
 
   RunRig on;
-  Vector2 unloaded;  ///< end point of the nominal chain at rest
+  Vector2 unloaded;                                      ///< end point of the nominal chain at rest
   Imposed imposed{Control::end_point, Vector2::Zero()};  ///< last
   Posture posture;
   std::vector<JointMemory> memory;
@@ -340,7 +340,8 @@ class RunWalk {
     if (run_.holds_end_point()) {
       force = rig.measure_force(reading.t, interval_, direction_.x());
     } else {
-      const Vector2 place = solver_.end_point(rig.on, rig.imposed.loads, rig.posture) - rig.on.rig.position_offset;
+      const Vector2 place =
+          solver_.end_point(rig.on, rig.imposed.loads, rig.posture) - rig.on.rig.position_offset;
       end = turned((1 + rig.on.rig.place_scale) * place, rig.on.rig.place_turn);
     }
     row(column_x) = end.x();

@@ -207,8 +207,8 @@ void RigModel<Bandwidth>::add_rigid_links(const Vector<double>& angle, const Vec
   }
   for (std::size_t j = 0; j < layout_.links; ++j) {
     const Eigen::Index i = index(j);
-    const Vector2 carried = run.beyond[j] + 0.5 * run.rig.weight[j] +
-                            carried_by(*loads_, j, [](double share) { return share; });
+    const Vector2 carried =
+        run.beyond[j] + 0.5 * run.rig.weight[j] + carried_by(*loads_, j, [](double share) { return share; });
     const Piece link = piece(run.rig.length[j], along_[j], force, carried, run.rig.axial);
     at.residual(i) += link.residual;
     at.end_point.x += link.moved.x();

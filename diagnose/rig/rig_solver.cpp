@@ -30,8 +30,7 @@ constexpr double hold = 1e-8;
 constexpr double smallest_pivot = 1e-6;
 
 Imposed between(const Imposed& from, const Imposed& to, double share) {
-  return {to.control, from.value + share * (to.value - from.value),
-          between(from.loads, to.loads, share)};
+  return {to.control, from.value + share * (to.value - from.value), between(from.loads, to.loads, share)};
 }
 
 Point<double> point(const Vector2& v) {
