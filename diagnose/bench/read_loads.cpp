@@ -38,7 +38,7 @@ const Words& words_of(const Section& load) {
   for (const auto& [key, owner] : {std::pair("radius", &tendon), std::pair("volume", &pressure),
                                    std::pair("link", &force), std::pair("at", &force)})
     if (load.has(key) && owner != found)
-      load.refuse(key, fmt::format("no such key beside {}: it is of a {}", found->values, owner->values));
+      load.refuse(key, fmt::format("nothing beside {}: it is of a {}", found->values, owner->values));
   return *found;
 }
 

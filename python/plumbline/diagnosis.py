@@ -152,8 +152,8 @@ class Diagnosis:
 def diagnose(nominal: Mapping[str, Any] | NominalChain | Model, runs: Sequence[Mapping[str, Any]], *,
              noise: Mapping[str, float], bench: Mapping[str, Any] | None = None,
              loads: Sequence[Mapping[str, Any]] = (), units: Mapping[str, str] | None = None,
-             columns: Mapping[str, Any] | None = None, name: str = "experiment", effects: PathLike | None = None, next: bool = False, as_is: bool = False,
-             progress: Progress = True) -> Diagnosis:
+             columns: Mapping[str, Any] | None = None, name: str = "experiment", effects: PathLike | None = None,
+             next: bool = False, as_is: bool = False, progress: Progress = True) -> Diagnosis:
     """Diagnoses an experiment that is in memory. Keys, units and rules are those of docs/experiment-format.md.
 
     :param nominal: the nominal chain: `link_length`, `joint_stiffness`, and where it has them `link_mass`, `gravity`,
@@ -189,8 +189,8 @@ def diagnose(nominal: Mapping[str, Any] | NominalChain | Model, runs: Sequence[M
 
 def plan(nominal: Mapping[str, Any] | NominalChain | Model, runs: Sequence[Mapping[str, Any]], *,
          noise: Mapping[str, float], bench: Mapping[str, Any] | None = None, loads: Sequence[Mapping[str, Any]] = (),
-         units: Mapping[str, str] | None = None, columns: Mapping[str, Any] | None = None, name: str = "bench", effects: PathLike | None = None,
-         progress: Progress = True) -> dict[str, Any]:
+         units: Mapping[str, str] | None = None, columns: Mapping[str, Any] | None = None, name: str = "bench",
+         effects: PathLike | None = None, progress: Progress = True) -> dict[str, Any]:
     """Before any data: which effects a bench cannot detect, which it cannot distinguish, and the fewest runs that
     distinguish the rest, as `plumbline diagnose --plan --json` says it (docs/plan.md).
 

@@ -130,7 +130,7 @@ TEST_CASE("loads that are refused, each in one line") {
                 {"columns.covariate.tension.unit", "\"bar\"", "a unit of a force"});
   check_refused(settings("radius = [8, 6]"), {"a load without a kind", "tendon, pressure and force"});
   check_refused(settings(tendon + "\npressure = \"p\""), {"load[1].pressure", "nothing beside tendon"});
-  check_refused(settings(tendon + "\nlink = 1"), {"load[1].link", "no such key beside tendon", "of a force"});
+  check_refused(settings(tendon + "\nlink = 1"), {"load[1].link", "nothing beside tendon", "of a force"});
   check_refused(settings(tendon + "\nlever = 1"), {"load[1].lever", "an unknown key"});
   check_refused(settings("force = [\"Gx\"]"), {"load[1].force", "two names of columns"});
   check_refused(settings("force = [\"Gx\", \"Gy\"]\nlink = 3"), {"load[1].link", "3", "a link from 1 to 2"});
