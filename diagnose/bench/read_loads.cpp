@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <plumbline/base/error.hpp>
 #include <utility>
 
@@ -20,25 +20,33 @@ struct Words {
   const Quantity* of_arms;
 };
 
-constexpr Words tendon{Load::Kind::tendon, "tendon", "radius", &quantity::length},
-    pressure{Load::Kind::pressure, "pressure", "volume", &quantity::volume},
-    force{Load::Kind::force, "force", nullptr, nullptr};
+/// By their numbers.
+constexpr std::array all_words{Words{Load::Kind::tendon, "tendon", "radius", &quantity::length},
+                               Words{Load::Kind::pressure, "pressure", "volume", &quantity::volume},
+                               Words{Load::Kind::force, "force", nullptr, nullptr}};
+
+/// \throws Error for a key of another kind of load
+void refuse_others(const Section& load, const Words& own) {
+  using Kind = Load::Kind;
+  for (const auto& [key, kind] : {std::pair("radius", Kind::tendon), std::pair("volume", Kind::pressure),
+                                  std::pair("link", Kind::force), std::pair("at", Kind::force)})
+    if (load.has(key) && kind != own.kind)
+      load.refuse(key, fmt::format("nothing beside {}: it is of a {}", own.values,
+                                   all_words.at(static_cast<std::size_t>(kind)).values));
+}
 
 /// \throws Error where the table has none of the kinds, several, or a key of another kind
 const Words& words_of(const Section& load) {
   load.allow_only({"tendon", "pressure", "force", "radius", "volume", "link", "at"});
   const Words* found = nullptr;
-  for (const Words* one : {&tendon, &pressure, &force}) {
-    if (!load.has(one->values)) continue;
+  for (const Words& one : all_words) {
+    if (!load.has(one.values)) continue;
     if (found)
-      load.refuse(one->values, fmt::format("nothing beside {}: a load is one of them", found->values));
-    found = one;
+      load.refuse(one.values, fmt::format("nothing beside {}: a load is one of them", found->values));
+    found = &one;
   }
   if (!found) throw Error(load.where(), "a load without a kind", "one of tendon, pressure and force");
-  for (const auto& [key, owner] : {std::pair("radius", &tendon), std::pair("volume", &pressure),
-                                   std::pair("link", &force), std::pair("at", &force)})
-    if (load.has(key) && owner != found)
-      load.refuse(key, fmt::format("nothing beside {}: it is of a {}", found->values, owner->values));
+  refuse_others(load, *found);
   return *found;
 }
 

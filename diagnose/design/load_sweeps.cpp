@@ -5,17 +5,13 @@
 #include <algorithm>
 #include <limits>
 
-#include "diagnose/rig/nominal.hpp"
+#include "diagnose/bench/command_range.hpp"
 
 namespace plumbline::diagnose {
 namespace {
 
-struct Range {
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-};
-
-Range range_of(const Experiment& experiment, std::size_t covariate) {
-  Range range;
+CommandRange range_of(const Experiment& experiment, std::size_t covariate) {
+  CommandRange range;
   for (const Run& run : experiment.runs)
     for (const Reading& reading : run.readings) {
       range.low = std::min(range.low, reading.covariates[covariate]);
@@ -24,7 +20,7 @@ Range range_of(const Experiment& experiment, std::size_t covariate) {
   return range;
 }
 
-Run swept(const Shape& from, const LoadChannel& load, const Range& range, bool back,
+Run swept(const Shape& from, const LoadChannel& load, const CommandRange& range, bool back,
           const OperatingEnvelope& so_far) {
   constexpr int steps = 20;  // of one way
   constexpr double not_measured = std::numeric_limits<double>::quiet_NaN();
@@ -35,7 +31,7 @@ Run swept(const Shape& from, const LoadChannel& load, const Range& range, bool b
     const double share = static_cast<double>(std::min(i, 2 * steps - i)) / steps;
     run.readings.push_back({i * so_far.sampling_interval, not_measured, not_measured, 0, 0, {}});
     run.readings.back().covariates = so_far.covariates;
-    run.readings.back().covariates[load.covariate] = range.low + share * (range.high - range.low);
+    run.readings.back().covariates[load.covariate] = range.at(share);
   }
   return run;
 }
@@ -49,7 +45,7 @@ std::vector<CandidateRun> load_sweeps(const Experiment& experiment, const std::v
       load_channels(experiment.loads, experiment.link_length, experiment.covariates);
   for (const Shape& shape : shapes)
     for (const LoadChannel& load : loads) {
-      const Range range = range_of(experiment, load.covariate);
+      const CommandRange range = range_of(experiment, load.covariate);
       if (shape.control != Control::force || !(range.high > range.low)) continue;
       for (const bool back : {false, true}) {
         Run run = swept(shape, load, range, back, so_far);
