@@ -45,7 +45,7 @@ const Words& words_of(const Section& load) {
       load.refuse(one.values, fmt::format("nothing beside {}: a load is one of them", found->values));
     found = &one;
   }
-  if (!found) throw Error(load.where(), "a load without a kind", "one of tendon, pressure and force");
+  if (!found) throw Error(load.place("tendon"), "a load without a kind", "one of tendon, pressure and force");
   refuse_others(load, *found);
   return *found;
 }
