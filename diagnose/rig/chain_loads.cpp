@@ -50,7 +50,7 @@ void LoadHistory::add_moments(const Load& load, double value, std::vector<double
   for (std::size_t j = 0; j < joints_; ++j) {
     if (load.moment_arm[j] == 0) continue;
     if (!first) {
-      const auto [least, most] = std::minmax(before * lost, before / lost);
+      const auto [least, most] = std::minmax({before * lost, before / lost});
       before = std::clamp(tension[j], least, most);
     }
     first = false;
