@@ -237,7 +237,7 @@ Run read_run(const Section& section, const Shared& shared) {
   run.loads = loads_of(run, shared.experiment);
   run.begins_moving = read_beginning(section, run);
   run.by_weights = read_by_weights(section, run, shared.experiment);
-  run.weights_inferred = run.by_weights && !section.has("loaded_by");
+  run.weights_inferred = !section.has("loaded_by") && pulls_as_weights_do(run, shared.experiment);
   return run;
 }
 
