@@ -70,14 +70,20 @@ std::string column_line(const Experiment& experiment, const Run& run, std::size_
   return line + fmt::format(", noise {:.3g} {}\n", noise_of(experiment.noise, column), si_unit(origin.what));
 }
 
-/// "temperature  T, 20.1 to 24.3, 55 of 60 readings interpolated".
+/// "temperature  T  20.1 to 24.3, 55 of 60 readings interpolated", "tension  F, mN  0 to 12 N, a load".
 std::string covariate_line(const Run& run, std::size_t covariate, const Origin& origin) {
   double least = INFINITY, most = -INFINITY;
   for (const diagnose::Reading& reading : run.readings) {
     least = std::min(least, reading.covariates[covariate]);
     most = std::max(most, reading.covariates[covariate]);
   }
-  std::string line = fmt::format("    {} {:<22} {:.4g} to {:.4g}", origin.what, origin.source, least, most);
+  const auto load = std::find_if(run.loads.begin(), run.loads.end(), [&](const diagnose::LoadChannel& one) {
+    return one.covariate == covariate;
+  });
+  const bool loads = load != run.loads.end();
+  std::string line = fmt::format("    {} {:<22} {:.4g} to {:.4g}", origin.what,
+                                 loads ? origin.source + ", " + origin.unit : origin.source, least, most);
+  if (loads) line += fmt::format(" {}, a load", load->unit);
   if (const std::size_t count = run.interpolated[covariate]; count > 0)
     line += fmt::format(", {} of {} readings interpolated in time", count, run.readings.size());
   return line + "\n";

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Between which angles the joints of a bench are commanded.
+/// Between which values the joints of a bench are commanded, or its loads along the chain.
 
 #include <limits>
 #include <vector>
@@ -9,7 +9,8 @@
 
 namespace plumbline::diagnose {
 
-/// Of one joint over all runs, rad, or m for one that slides. Nothing is commanded where high < low.
+/// Of one joint over all runs, rad, or m for one that slides; or of one value of a load. Nothing is commanded
+/// where high < low.
 struct CommandRange {
   double low = std::numeric_limits<double>::infinity(), high = -low;
 

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <optional>
 #include <plumbline/base/error.hpp>
+#include <utility>
 
 namespace plumbline::diagnose {
 namespace {
@@ -46,7 +47,8 @@ std::size_t complete(Run& run, std::size_t covariate) {
 
 }  // namespace
 
-std::vector<std::string> complete_covariates(std::vector<Run>& runs, const std::string& place) {
+std::vector<std::string> complete_covariates(std::vector<Run>& runs, const std::string& place,
+                                             std::vector<std::string> named) {
   std::optional<std::vector<std::string>> common;
   for (Run& run : runs) {
     if (run.readings.empty()) continue;
@@ -62,7 +64,7 @@ std::vector<std::string> complete_covariates(std::vector<Run>& runs, const std::
                     "one or more; those between are interpolated in time");
     }
   }
-  return common.value_or(std::vector<std::string>());
+  return common.value_or(std::move(named));
 }
 
 }  // namespace plumbline::diagnose

@@ -56,14 +56,16 @@ Eigen::Vector2d Run::imposed_at(const Reading& reading) const {
 }
 
 Eigen::Vector2d Run::command(const Reading& reading) const {
-  if (reading.rest.empty()) return imposed_at(reading);
+  Eigen::Vector2d by_loads(0, 0);
+  for (const LoadChannel& load : loads) by_loads += reading.covariates[load.covariate] * load.moves;
+  if (reading.rest.empty()) return imposed_at(reading) + by_loads;
   double theta = 0;
   Eigen::Vector2d moved(0, 0);
   for (const double angle : reading.rest) {
     theta += angle;
     moved += Eigen::Vector2d(std::cos(theta) - 1, std::sin(theta));
   }
-  return moved / static_cast<double>(reading.rest.size());
+  return moved / static_cast<double>(reading.rest.size()) + by_loads;
 }
 
 std::optional<Reading> Run::before_first() const {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "diagnose/bench/channel.hpp"
+#include "diagnose/bench/load.hpp"
 #include "diagnose/bench/nominal_chain.hpp"
 
 namespace plumbline::diagnose {
@@ -89,7 +90,8 @@ struct Run {
   std::vector<std::string> continued_by = {};  ///< ids of runs that were read as its later parts
   std::vector<std::size_t> interpolated = {};  ///< by covariate, the readings without a value of it
   std::optional<Branch> branch =
-      std::nullopt;  ///< the observed branch, where the nominal model may take either
+      std::nullopt;                     ///< the observed branch, where the nominal model may take either
+  std::vector<LoadChannel> loads = {};  ///< what loads the chain besides, as part of the command
 
   [[nodiscard]] bool holds_end_point() const { return control == Control::end_point; }
   /// The imposed channels, along x and along y; of a joint alone its angle or its torque.
@@ -125,7 +127,7 @@ struct Run {
   }
   /// Coordinates of what is commanded, by which the history of a run is told: the imposed values. For joint
   /// angles, the end point of a stretched chain of length 1 with equal links, moved from its place by these
-  /// angles.
+  /// angles. Loads along the chain add to either.
   [[nodiscard]] Eigen::Vector2d command(const Reading& reading) const;
   /// The command before the first reading of a run that begins moving: it comes along the line of the first
   /// motion, from a third of the way to the farthest command. Nothing is measured there.
@@ -189,6 +191,7 @@ struct Experiment : NominalChain {
   std::size_t run_count = 0;
   std::vector<Origin> origins = {};          ///< of link_length, joint_stiffness, link_mass, gravity and rest
   std::vector<std::string> covariates = {};  ///< names of quantities noted at each reading: "temperature"
+  std::vector<Load> loads = {};              ///< along the chain
   ArmBench arm_bench = {};                   ///< of an arm in space
 };
 

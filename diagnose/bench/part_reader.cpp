@@ -54,9 +54,8 @@ Origin PartReader::origin(std::size_t c) const {
   return {column.channel, from, column.unit.name, column.unit.in_si()};
 }
 
-/// Whether no force acts on commanded joints, for want of a column.
 bool PartReader::is_no_force(std::size_t c) const {
-  return format().commanded && (c == place_Fx || c == place_Fy) && !has(c);
+  return format().free_end && (c == place_Fx || c == place_Fy) && !has(c);
 }
 
 /// A number with a decimal point; empty for a missing value.

@@ -36,6 +36,7 @@ class PartReader {
   [[nodiscard]] Origin origin(std::size_t c) const;
 
  private:
+  /// Whether it is the force on an end point that is free for want of a column.
   [[nodiscard]] bool is_no_force(std::size_t c) const;
   [[nodiscard]] std::string field(std::size_t c, std::size_t row) const;
   [[nodiscard]] Mpfr50 zero(std::size_t c) const;

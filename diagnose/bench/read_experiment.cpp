@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <plumbline/base/error.hpp>
 #include <set>
 
 #include "diagnose/bench/continued_runs.hpp"
 #include "diagnose/bench/covariates.hpp"
 #include "diagnose/bench/read_date.hpp"
+#include "diagnose/bench/read_loads.hpp"
 #include "diagnose/bench/read_nominal.hpp"
 #include "diagnose/bench/read_parts.hpp"
 #include "diagnose/bench/read_poses.hpp"
@@ -43,7 +45,7 @@ struct Units {
 
 Units read_units(const Section& root, Alone alone) {
   const Section units = root.table_or_empty("units");
-  units.allow_only({"link_length", "joint_stiffness", "link_mass", "gravity", "rest"});
+  units.allow_only({"link_length", "joint_stiffness", "link_mass", "gravity", "rest", "radius", "volume"});
   const auto unit = [&](const char* key, const Quantity& quantity) {
     return units.has(key) ? parse_unit(units.text(key, quantity.examples), quantity, units.place(key))
                           : si_unit(quantity);
@@ -155,11 +157,12 @@ bool pulls_as_weights_do(const Run& run, const Experiment& experiment) {
          std::any_of(run.readings.begin(), run.readings.end(), pulls);
 }
 
-/// The source of an imposed force: as declared, or inferred. Joints that are commanded without a force have
-/// none.
+/// The source of an imposed force: as declared, or inferred. Joints that are commanded, and chains that
+/// tendons pull, have none without a force on the end point.
 bool read_by_weights(const Section& section, const Run& run, const Experiment& experiment) {
   const auto loaded = [&](const Reading& reading) { return run.imposed_at(reading).norm() > 0; };
-  if (run.commands_joints() && std::none_of(run.readings.begin(), run.readings.end(), loaded)) return true;
+  const bool may_be_free = run.commands_joints() || (!run.holds_end_point() && !run.loads.empty());
+  if (may_be_free && std::none_of(run.readings.begin(), run.readings.end(), loaded)) return true;
   if (!section.has("loaded_by")) return pulls_as_weights_do(run, experiment);
   const std::string word = section.one_of("loaded_by", {"servo", "weights"});
   if (word == "weights" && run.holds_end_point())
@@ -171,6 +174,7 @@ bool read_by_weights(const Section& section, const Run& run, const Experiment& e
 void read_samples_of(const Section& section, const Shared& shared, bool commanded, Run& run) {
   SampleFormat format = read_sample_format(section, shared.format);
   format.commanded = commanded;
+  format.free_end = commanded || (!run.holds_end_point() && !shared.experiment.loads.empty());
   format.any_order |= (shared.source.plan && format.header) || commanded;  // a plan may hold commands alone
   Samples samples = read_samples(shared.source.read(section, format), run.control);
   run.readings = std::move(samples.readings);
@@ -198,6 +202,22 @@ std::vector<double> read_rest(const Section& section, const Shared& shared) {
   return in_si(rest, shared.rest);
 }
 
+/// The loads along the chain as part of the run's command, in its unit: that of a force, of the place that a
+/// force moves by the nominal stiffness, or of what commanded angles do to a chain of length 1.
+std::vector<LoadChannel> loads_of(const Run& run, const Experiment& experiment) {
+  std::vector<LoadChannel> loads =
+      load_channels(experiment.loads, experiment.link_length, experiment.covariates);
+  const double length = std::accumulate(experiment.link_length.begin(), experiment.link_length.end(), 0.0),
+               stiffest =
+                   *std::max_element(experiment.joint_stiffness.begin(), experiment.joint_stiffness.end()),
+               turn = stiffest > 0 ? length / stiffest : 0;
+  for (LoadChannel& load : loads) {
+    if (run.commands_joints()) load.moves *= turn;
+    if (run.holds_end_point()) load.moves *= turn * length;
+  }
+  return loads;
+}
+
 Run read_run(const Section& section, const Shared& shared) {
   section.allow_only({"id", "control", "begins", "loaded_by", "rest", "samples", "csv", "columns"});
   Run run;
@@ -214,9 +234,10 @@ Run read_run(const Section& section, const Shared& shared) {
   if (!shared.source.plan || section.has("samples") || commanded)
     read_samples_of(section, shared, commanded, run);
   if (commanded) run.rest = run.readings.front().rest;
+  run.loads = loads_of(run, shared.experiment);
   run.begins_moving = read_beginning(section, run);
   run.by_weights = read_by_weights(section, run, shared.experiment);
-  run.weights_inferred = run.by_weights && !section.has("loaded_by");
+  run.weights_inferred = !section.has("loaded_by") && pulls_as_weights_do(run, shared.experiment);
   return run;
 }
 
@@ -283,6 +304,8 @@ Run read_poses_of(const Section& section, const Source& source, const PoseFormat
 
 /// The settings of an arm in space, from the table [arm] on.
 Experiment read_arm_settings(const Section& root, const Source& source) {
+  if (root.has("load"))
+    root.refuse("load", "nothing: loads act along a planar chain; of an arm in space a wrench does");
   root.allow_only({"format", "name", "date", "arm", "noise", "units", "csv", "columns", "run"});
   static_cast<void>(read_date(root));
   Experiment experiment;
@@ -316,7 +339,8 @@ Experiment read_settings(const Section& root, const Source& source, const Nomina
   const std::string expected = "\"chain-experiment/1\"";
   if (root.text("format", expected) != "chain-experiment/1") root.refuse("format", expected);
   if (root.has("arm")) return read_arm_settings(root, source);
-  root.allow_only({"format", "name", "date", "nominal", "bench", "noise", "units", "csv", "columns", "run"});
+  root.allow_only(
+      {"format", "name", "date", "nominal", "bench", "load", "noise", "units", "csv", "columns", "run"});
   static_cast<void>(read_date(root));  // of use to who compares experiments
   Experiment experiment;
   experiment.name = root.name("name", "a name");
@@ -325,12 +349,16 @@ Experiment read_settings(const Section& root, const Source& source, const Nomina
   static_cast<NominalChain&>(experiment) = model ? nominal : in_si(nominal, units);
   experiment.origins = units.origins(model == nullptr);
   experiment.bench = read_bench(root, nominal.alone);
-  const Shared shared{source, experiment,
-                      read_sample_format(root, standard_format(experiment.link_length.size(), nominal.alone)),
-                      units.rest, model ? "the model that is given" : "the nominal chain"};
+  SampleFormat format = standard_format(experiment.link_length.size(), nominal.alone);
+  experiment.loads = read_loads(root, experiment, format);
+  for (std::size_t c = format.place_covariate1(); c < format.columns.size(); ++c)
+    experiment.covariates.push_back(format.columns[c].channel);
+  const Shared shared{source, experiment, read_sample_format(root, std::move(format)), units.rest,
+                      model ? "the model that is given" : "the nominal chain"};
   experiment.noise = read_noise(root.table("noise"), shared.format);
   experiment.runs = read_runs(root, shared);
-  experiment.covariates = complete_covariates(experiment.runs, root.place("run"));
+  experiment.covariates =
+      complete_covariates(experiment.runs, root.place("run"), std::move(experiment.covariates));
   join_continued(experiment);
   count_from_first_reading(experiment.runs);
   return experiment;

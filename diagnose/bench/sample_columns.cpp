@@ -138,7 +138,7 @@ std::vector<ColumnPlaces> column_places(const std::vector<SamplePart>& parts, Co
   const Finder first(parts.front().table, parts.front().format, parts.front().source);
   for (std::size_t c = 0; c < count; ++c)
     if (!given[c]) static_cast<void>(first.place(c, true));
-  if (!parts.front().format.commanded) first.require_imposed(given, control);
+  if (!parts.front().format.free_end) first.require_imposed(given, control);
   first.require_commands(given);
   first.require_angles(given);
   return all;

@@ -58,19 +58,23 @@ std::string decimal_text(double value) {
   return fmt::format("{}", value);
 }
 
+/// The column of a channel that has its name.
+/// \param place  of the key that names it, or empty
+Column own_column(const std::string& channel, const Quantity* quantity, const std::string& place) {
+  Column column{channel, channel, 0, {}, quantity ? si_unit(*quantity) : Unit{}};
+  column.place = place;
+  column.quantity = quantity;
+  return column;
+}
+
 /// A node of one channel: a name, a number, or a table.
 class ColumnReader {
  public:
-  /// \param quantity  nullptr for a covariate, which has no unit
-  ColumnReader(const Section& columns, const std::string& key, const Quantity* quantity)
-      : columns_(columns), key_(key), quantity_(quantity) {}
+  ColumnReader(const Section& columns, const std::string& key) : columns_(columns), key_(key) {}
 
   /// \param all  the columns of the key: one, or those of q
   void read(std::vector<Column*> all) const {
-    for (Column* column : all) {
-      *column = {column->channel, column->channel, 0, {}, quantity_ ? si_unit(*quantity_) : Unit{}};
-      column->place = columns_.place(key_);
-    }
+    for (Column* column : all) *column = own_column(column->channel, column->quantity, columns_.place(key_));
     const toml::node& node = columns_.node(key_);
     if (node.is_table()) {
       read_table(columns_.table(key_), all);
@@ -85,7 +89,8 @@ class ColumnReader {
 
   void read_table(const Section& table, const std::vector<Column*>& all) const {
     std::set<std::string> known{"column", "sign", "zero", is_list() ? "absolute" : "constant"};
-    if (quantity_) known.insert("unit");
+    const Quantity* quantity = all.front()->quantity;
+    if (quantity) known.insert("unit");
     table.allow_only(known);
     if (table.has("constant")) {
       for (const char* other : {"column", "sign", "zero"})
@@ -94,7 +99,7 @@ class ColumnReader {
     }
     if (table.has("column")) read_source(table, "column", all);
     if (table.has("unit")) {
-      const Unit unit = parse_unit(table.text("unit", quantity_->examples), *quantity_, table.place("unit"));
+      const Unit unit = parse_unit(table.text("unit", quantity->examples), *quantity, table.place("unit"));
       for (Column* column : all) column->unit = unit;
     }
     if (table.has("sign")) read_signs(table, all);
@@ -150,7 +155,6 @@ class ColumnReader {
 
   const Section& columns_;
   std::string key_;
-  const Quantity* quantity_;
 };
 
 /// The columns of a key with one for each joint.
@@ -160,7 +164,7 @@ void read_angles(const Section& columns, const std::string& key, std::size_t fir
   if (!columns.has(key)) return;
   std::vector<Column*> angles;
   for (std::size_t i = 0; i < format.joints(); ++i) angles.push_back(&format.columns[first + i]);
-  ColumnReader(columns, key, &of_joints(format.alone)).read(angles);
+  ColumnReader(columns, key).read(angles);
   absolute = columns.node(key).is_table() && columns.table(key).flag_or("absolute", false);
 }
 
@@ -172,22 +176,13 @@ bool can_name_covariate(const std::string& name) {
 
 void read_covariates(const Section& covariates, SampleFormat& format) {
   for (const std::string& name : covariates.keys()) {
-    if (!can_name_covariate(name))
-      throw Error(covariates.place(name), "a covariate of that name",
-                  "letters, digits and _, and no variable of expressions such as t, q or Fx");
     const auto first = format.columns.begin() + static_cast<std::ptrdiff_t>(format.place_covariate1());
-    auto column =
+    const auto known =
         std::find_if(first, format.columns.end(), [&](const Column& one) { return one.channel == name; });
-    if (column == format.columns.end()) {
-      format.columns.push_back({name, name, 0, {}, {}});
-      ++format.covariates;
-      column = std::prev(format.columns.end());
-    }
-    ColumnReader(covariates, name, nullptr).read({&*column});
+    Column& column =
+        known == format.columns.end() ? add_covariate(format, name, covariates.place(name)) : *known;
+    ColumnReader(covariates, name).read({&column});
   }
-  if (format.covariates > most_covariates)
-    throw Error(covariates.where(), fmt::format("{} covariates", format.covariates),
-                fmt::format("at most {}", most_covariates));
 }
 
 void read_columns(const Section& columns, SampleFormat& format) {
@@ -199,8 +194,8 @@ void read_columns(const Section& columns, SampleFormat& format) {
     if (columns.has(key) && !has_channel(format.alone, key)) refuse_channel(columns, format.alone, key);
   format.any_order = true;
   for (std::size_t c = 0; c < single.size(); ++c) {
-    const auto& [key, quantity] = single[c];
-    if (columns.has(key)) ColumnReader(columns, key, quantity).read({&format.columns[c]});
+    const char* key = single[c].first;
+    if (columns.has(key)) ColumnReader(columns, key).read({&format.columns[c]});
   }
   read_angles(columns, "q", place_q1, format, format.absolute_angles);
   read_angles(columns, "q_command", format.place_command1(), format, format.absolute_commands);
@@ -233,15 +228,27 @@ SampleFormat standard_format(std::size_t joints, Alone alone) {
   format.alone = alone;
   format.any_order = alone != Alone::no;
   for (const auto& [name, quantity] : single_channels(alone))
-    format.columns.push_back({name, name, 0, {}, si_unit(*quantity)});
+    format.columns.push_back(own_column(name, quantity, ""));
   if (alone != Alone::no)
     for (const std::size_t place : {place_y, place_Fy}) format.columns[place].constant = "0";
   for (const char* key : {"q", "q_command"})
     for (std::size_t i = 1; i <= joints; ++i) {
       const std::string name = key + std::to_string(i);
-      format.columns.push_back({name, name, 0, {}, si_unit(of_joints(alone))});
+      format.columns.push_back(own_column(name, &of_joints(alone), ""));
     }
   return format;
+}
+
+Column& add_covariate(SampleFormat& format, const std::string& name, const std::string& place,
+                      const Quantity* quantity) {
+  if (!can_name_covariate(name))
+    throw Error(place, "\"" + files::shown(name) + "\", a covariate of that name",
+                "letters, digits and _, and no variable of expressions such as t, q or Fx");
+  if (format.covariates == most_covariates)
+    throw Error(place, fmt::format("{} covariates", most_covariates + 1),
+                fmt::format("at most {}", most_covariates));
+  ++format.covariates;
+  return format.columns.emplace_back(own_column(name, quantity, place));
 }
 
 SampleFormat read_sample_format(const Section& section, SampleFormat format) {

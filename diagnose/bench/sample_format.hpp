@@ -23,7 +23,8 @@ struct Column {
   int sign = 1;
   std::string zero = "0";  ///< a decimal
   bool zero_is_first = false;
-  std::string place = {};  ///< of the key that sets it; empty where none does
+  std::string place = {};              ///< of the key that sets it; empty where none does
+  const Quantity* quantity = nullptr;  ///< of which its unit is; null for a covariate that is no load
 
   [[nodiscard]] bool as_is() const { return unit.factor == 1 && sign == 1 && zero == "0" && !zero_is_first; }
 };
@@ -43,10 +44,11 @@ struct SampleFormat {
   bool any_order = false;          ///< further columns are allowed; without [columns] the header is fixed
   bool absolute_angles = false;    ///< angles against x, not against the previous link
   bool absolute_commands = false;  ///< likewise
-  bool commanded = false;       ///< of a run that imposes joint angles: q_command is required, forces are not
-  Alone alone = Alone::no;      ///< of a joint alone: x and Fx are its angle and torque, y and Fy are 0
-  std::vector<Column> columns;  ///< t, x, y, Fx, Fy, q1 … qn, q_command1 … q_commandn, covariates
-  std::size_t covariates = 0;   ///< number of these
+  bool commanded = false;          ///< of a run that imposes joint angles: q_command is required
+  bool free_end = false;           ///< no force acts on the end point for want of a column
+  Alone alone = Alone::no;         ///< of a joint alone: x and Fx are its angle and torque, y and Fy are 0
+  std::vector<Column> columns;     ///< t, x, y, Fx, Fy, q1 … qn, q_command1 … q_commandn, covariates
+  std::size_t covariates = 0;      ///< number of these
 
   [[nodiscard]] std::size_t joints() const { return (place_covariate1() - place_q1) / 2; }
   /// The places of q_command1 and of the first covariate among the columns.
@@ -61,6 +63,14 @@ bool has_channel(Alone alone, const std::string& key);
 
 /// The format without any setting: docs/experiment-format.md, "Sample files".
 SampleFormat standard_format(std::size_t joints, Alone alone = Alone::no);
+
+/// Adds a covariate, or a value of a load, of its own name.
+/// \param place     of the key that names it
+/// \param quantity  of a load
+/// \throws Error for a name that expressions cannot have, or one covariate too many
+/// \returns its column
+Column& add_covariate(SampleFormat& format, const std::string& name, const std::string& place,
+                      const Quantity* quantity = nullptr);
 
 /// The format after the tables [csv] and [columns] of a section.
 /// \throws Error that names file, line and key

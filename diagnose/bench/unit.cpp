@@ -28,6 +28,8 @@ const Quantity sliding_stiffness{
     "a stiffness of a joint that slides", {0, 1, -2, 0}, "N/m", "N/m, N/mm, N/um, kgf/mm, lbf/in"};
 const Quantity torque{"a torque", {2, 1, -2, 0}, "N m", "N m, N mm, N cm, kgf cm, lbf in"};
 const Quantity acceleration{"an acceleration", {.length = 1, .time = -2}, "m/s^2", "m/s^2, mm/s^2, ft/s^2"};
+const Quantity pressure{"a pressure", {-1, 1, -2, 0}, "Pa", "Pa, kPa, MPa, bar, mbar, lbf/in^2"};
+const Quantity volume{"a volume", {.length = 3}, "m^3", "m^3, cm^3, mm^3"};
 
 }  // namespace quantity
 namespace {
@@ -41,7 +43,7 @@ struct Symbol {
 
 constexpr std::array symbols = [] {
   constexpr Dimension length{1, 0, 0, 0}, mass{0, 1, 0, 0}, duration{0, 0, 1, 0}, angle{0, 0, 0, 1},
-      force{1, 1, -2, 0}, torque{2, 1, -2, 0};
+      force{1, 1, -2, 0}, torque{2, 1, -2, 0}, pressure{-1, 1, -2, 0};
   return std::array{
       Symbol{"m", "1", length},
       Symbol{"km", "1e3", length},
@@ -71,6 +73,11 @@ constexpr std::array symbols = [] {
       Symbol{"Ncm", "1e-2", torque},
       Symbol{"Nmm", "1e-3", torque},
       Symbol{"mNm", "1e-3", torque},
+      Symbol{"Pa", "1", pressure},
+      Symbol{"kPa", "1e3", pressure},
+      Symbol{"MPa", "1e6", pressure},
+      Symbol{"bar", "1e5", pressure},
+      Symbol{"mbar", "1e2", pressure},
       Symbol{"kg", "1", mass},
       Symbol{"g", "1e-3", mass},
       Symbol{"lb", "0.45359237", mass},

@@ -29,7 +29,8 @@ struct Quantity {
 };
 
 namespace quantity {
-extern const Quantity length, force, angle, time, mass, stiffness, acceleration, torque, sliding_stiffness;
+extern const Quantity length, force, angle, time, mass, stiffness, acceleration, torque, sliding_stiffness,
+    pressure, volume;
 }
 
 struct Unit {

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "diagnose/design/commanded_runs.hpp"
+#include "diagnose/design/load_sweeps.hpp"
 #include "diagnose/rig/nominal.hpp"
 
 namespace plumbline::diagnose {
@@ -93,14 +94,6 @@ std::vector<double> mirrored(std::vector<double> rest) {
   return rest;
 }
 
-/// Whether the nominal chain can follow a run within the operating envelope.
-bool follows(const Experiment& experiment, const Run& run, const OperatingEnvelope& so_far) {
-  Experiment bench = experiment;
-  bench.runs = {run};
-  const Prediction nominal = simulate(bench, nominal_rig(bench), {});
-  return nominal.reached && !nominal.snapped && so_far.allows(nominal.runs[0], run);
-}
-
 /// The two longest distances along a direction, in a ratio of 3/2, that the nominal chain can follow.
 std::vector<double> ways(const Experiment& experiment, const Shape& shape, const Vector2& start,
                          const Vector2& along, const OperatingEnvelope& so_far) {
@@ -132,6 +125,13 @@ std::vector<CandidateRun> presses(const Experiment& experiment, const Shape& sha
 }
 
 }  // namespace
+
+bool follows(const Experiment& experiment, const Run& run, const OperatingEnvelope& so_far) {
+  Experiment bench = experiment;
+  bench.runs = {run};
+  const Prediction nominal = simulate(bench, nominal_rig(bench), {});
+  return nominal.reached && !nominal.snapped && so_far.allows(nominal.runs[0], run);
+}
 
 std::optional<Vector2> bearable_load(const Experiment& experiment, const Shape& shape, const Vector2& along,
                                      const OperatingEnvelope& so_far) {
@@ -177,7 +177,7 @@ std::vector<double> mean_covariates(const Experiment& experiment) {
       for (std::size_t c = 0; c < sums.size(); ++c) sums[c] += reading.covariates[c];
       ++count;
     }
-  for (double& sum : sums) sum /= count;
+  for (double& sum : sums) sum /= std::max(count, 1.0);
   return sums;
 }
 
@@ -242,14 +242,17 @@ std::vector<Shape> shapes(const Experiment& experiment, std::size_t most) {
 
 std::vector<CandidateRun> runs_from(const Experiment& experiment, const Shape& shape,
                                     const OperatingEnvelope& so_far) {
-  return shape.control == Control::end_point ? presses(experiment, shape, so_far)
-                                             : loads(experiment, shape, so_far);
+  if (shape.control == Control::end_point) return presses(experiment, shape, so_far);
+  const bool by_loads_alone = !experiment.loads.empty() && so_far.force == 0;
+  return by_loads_alone ? std::vector<CandidateRun>() : loads(experiment, shape, so_far);
 }
 
 std::vector<CandidateRun> candidate_runs(const Experiment& experiment, std::size_t most_shapes,
                                          const OperatingEnvelope& so_far) {
   std::vector<CandidateRun> all = commanded_runs(experiment, so_far);
-  for (const Shape& shape : shapes(experiment, most_shapes))
+  const std::vector<Shape> from = shapes(experiment, most_shapes);
+  for (CandidateRun& one : load_sweeps(experiment, from, so_far)) all.push_back(std::move(one));
+  for (const Shape& shape : from)
     for (CandidateRun& one : runs_from(experiment, shape, so_far)) all.push_back(std::move(one));
   return all;
 }

@@ -27,6 +27,9 @@ struct OperatingEnvelope {
 
 OperatingEnvelope operating_envelope(const Study& study);
 
+/// Whether the nominal chain can follow a run within the operating envelope.
+bool follows(const Experiment& experiment, const Run& run, const OperatingEnvelope& so_far);
+
 struct CandidateRun {
   std::string description;
   Run run;  ///< the command; the measured channels are empty
@@ -49,7 +52,7 @@ std::vector<Shape> shapes(const Experiment& experiment, std::size_t most);
 /// follow. A held end point is pressed to the limits of the operating envelope and to two thirds of that: up
 /// to 9/4 of the largest travel so far, or 3/2 where there are no limits. A free end point carries dead
 /// loads: the largest force so far, or as much as deflects the nominal chain as far as before (a third of a
-/// radian without limits).
+/// radian without limits); none where nothing but loads along the chain acted so far.
 std::vector<CandidateRun> runs_from(const Experiment& experiment, const Shape& shape,
                                     const OperatingEnvelope& so_far);
 
@@ -58,7 +61,7 @@ std::vector<CandidateRun> runs_from(const Experiment& experiment, const Shape& s
 std::optional<Vector2> bearable_load(const Experiment& experiment, const Shape& shape, const Vector2& along,
                                      const OperatingEnvelope& so_far);
 
-/// All candidates: runs from the shapes, and those of commanded joints.
+/// All candidates: runs from the shapes, and those of commanded joints and of loads along the chain.
 /// \param most_shapes  largest number of shapes
 std::vector<CandidateRun> candidate_runs(const Experiment& experiment, std::size_t most_shapes,
                                          const OperatingEnvelope& so_far);

@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 
+#include "diagnose/rig/chain_loads.hpp"
 #include "diagnose/rig/nominal.hpp"
 
 namespace plumbline::diagnose {
@@ -23,12 +24,32 @@ struct Balance {
   Eigen::VectorXd torque, sigma;
 };
 
+/// What loads along the chain do to links in absolute angles, as the residual counts it.
+Eigen::VectorXd turned_by(const ChainLoads& loads, const std::vector<double>& length,
+                          const Vector<double>& angle) {
+  Eigen::VectorXd residual = Eigen::VectorXd::Zero(angle.size());
+  for (std::size_t j = 0; j < loads.moment.size(); ++j) {
+    const auto own = static_cast<Eigen::Index>(j);
+    residual(own) -= loads.moment[j];
+    if (j > 0) residual(own - 1) += loads.moment[j];
+  }
+  for (const ChainLoads::Force& force : loads.forces)
+    for (std::size_t j = 0; j <= force.link; ++j) {
+      const double theta = angle(static_cast<Eigen::Index>(j)),
+                   lever = length[j] * (j < force.link ? 1 : force.at);
+      residual(static_cast<Eigen::Index>(j)) -=
+          lever * force.value.dot(Vector2(-std::sin(theta), std::cos(theta)));
+    }
+  return residual;
+}
+
 /// What the nominal model's equilibrium misses at measured joint angles and force.
 /// \param force_sigma  zero where the force is imposed
-Balance balance(const NominalModel<double>& nominal, const Reading& reading, const Vector2& force_sigma,
-                double angle_sigma) {
+Balance balance(const NominalModel<double>& nominal, const Reading& reading, const ChainLoads& loads,
+                const std::vector<double>& length, const Vector2& force_sigma, double angle_sigma) {
   Expansion<double, NominalModel<double>::bandwidth> at;
   nominal.expand(absolute_angles(reading.q), {reading.Fx, reading.Fy}, at);
+  at.residual += turned_by(loads, length, absolute_angles(reading.q));
   const Eigen::Index n = at.residual.size();
   Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(n, n);
   for (Eigen::Index i = 0; i < n; ++i) stiffness(i, i) = at.hessian(0, i);
@@ -76,6 +97,7 @@ std::vector<std::vector<MissingTorque>> missing_torques(const Experiment& experi
   for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
     const Run& run = experiment.runs[r];
     std::optional<NominalModel<double>> nominal;
+    LoadHistory loads(experiment.loads, experiment.link_length.size());
     const double of_group = run.noise_of_group();
     const Vector2 noise =
         run.holds_end_point() ? Vector2(experiment.noise.Fx, experiment.noise.Fy) * of_group : Vector2(0, 0);
@@ -83,7 +105,8 @@ std::vector<std::vector<MissingTorque>> missing_torques(const Experiment& experi
       const Reading& reading = run.readings[i];
       if (!complete(reading)) continue;
       if (!nominal || run.commands_joints()) nominal.emplace(nominal_model(experiment, run.rest_at(reading)));
-      const Balance found = balance(*nominal, reading, noise, experiment.noise.q * of_group);
+      const Balance found = balance(*nominal, reading, loads.next(reading.covariates), experiment.link_length,
+                                    noise, experiment.noise.q * of_group);
       for (std::size_t j = 0; j < by_joint.size(); ++j) {
         const auto k = static_cast<Eigen::Index>(j);
         by_joint[j].push_back({r, i, reading.q[j], found.torque(k), found.sigma(k)});

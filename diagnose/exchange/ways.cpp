@@ -47,6 +47,7 @@ constexpr Way no_curve{false, "sensors of this format show in proportion"};
 constexpr Way no_presliding{false, "dry friction of this format does not give before it slips"};
 constexpr Way no_camera{false, "of the camera, not of the chain"};
 constexpr Way no_pulley{false, "of the pulley, not of the chain"};
+constexpr Way no_tendon{false, "of the tendons or pressures that load the chain, not of the chain"};
 constexpr Way no_set{false, "rest angles of this format do not move"};
 constexpr Way no_joint_alone{false, "this format has bodies, not a joint alone"};
 constexpr Way no_coupling{false, "joints of this format are not coupled"};
@@ -77,6 +78,8 @@ const std::map<std::string_view, Way>& everywhere() {
                                                    {"link_bending", beam},
                                                    {"position_offset", offset},
                                                    {"pulley_friction", no_pulley},
+                                                   {"moment_arm", no_tendon},
+                                                   {"capstan_friction", no_tendon},
                                                    {"camera_scale", no_camera},
                                                    {"camera_turn", no_camera},
                                                    {"run_rest", runs},

@@ -121,19 +121,51 @@ Command command_of_joints(const Run& run) {
   return command;
 }
 
-Command command_of_joint_alone(const Run& run) {
-  Command command{{}, with_unit(run.imposed().front()), 0};
-  for (const Reading& reading : run.readings) command.along.push_back(run.imposed_at(reading).x());
-  const auto first = command.along.begin();
+/// A command that one value tells.
+Command command_of_values(std::vector<double> along, std::string label) {
+  const auto first = along.begin();
   const auto away = [&](double a, double b) { return std::abs(a - *first) < std::abs(b - *first); };
-  command.farthest = static_cast<std::size_t>(std::max_element(first, command.along.end(), away) - first);
-  return command;
+  const auto farthest = static_cast<std::size_t>(std::max_element(first, along.end(), away) - first);
+  return {std::move(along), std::move(label), farthest};
+}
+
+Command command_of_joint_alone(const Run& run) {
+  std::vector<double> along;
+  for (const Reading& reading : run.readings) along.push_back(run.imposed_at(reading).x());
+  return command_of_values(std::move(along), with_unit(run.imposed().front()));
+}
+
+/// The range of a load's values.
+double range_of(const Run& run, const LoadChannel& load) {
+  const auto [least, most] =
+      std::minmax_element(run.readings.begin(), run.readings.end(), [&](const Reading& a, const Reading& b) {
+        return a.covariates[load.covariate] < b.covariates[load.covariate];
+      });
+  return most->covariates[load.covariate] - least->covariates[load.covariate];
+}
+
+/// The load along the chain that moves the command most; nothing where the imposed channels move it more.
+std::optional<LoadChannel> leading_load(const Run& run) {
+  double most = 0;
+  for (const Reading& reading : run.readings)
+    most = std::max(most, (run.imposed_at(reading) - run.imposed_at(run.readings.front())).norm());
+  std::optional<LoadChannel> leading;
+  for (const LoadChannel& load : run.loads)
+    if (const double way = range_of(run, load) * load.moves.norm(); way > most) most = way, leading = load;
+  return leading;
+}
+
+Command command_of_load(const Run& run, const LoadChannel& load) {
+  std::vector<double> along;
+  for (const Reading& reading : run.readings) along.push_back(reading.covariates[load.covariate]);
+  return command_of_values(std::move(along), load.name + ", " + load.unit);
 }
 
 }  // namespace
 
 Command command_of(const Run& run) {
   if (run.commands_joints()) return command_of_joints(run);
+  if (const std::optional<LoadChannel> load = leading_load(run)) return command_of_load(run, *load);
   if (run.alone != Alone::no) return command_of_joint_alone(run);
   std::vector<Vector2> way;
   Command command{{}, "", 0};

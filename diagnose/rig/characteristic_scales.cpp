@@ -12,16 +12,33 @@ double or_zero(double value) {
   return std::isfinite(value) ? value : 0.0;
 }
 
-/// The force that nine readings of ten stay below.
+/// The force that nine readings of ten stay below, on the end point or, of loads along the chain, as if
+/// there.
 double typical_force(const Experiment& experiment) {
+  const std::vector<LoadChannel> loads =
+      load_channels(experiment.loads, experiment.link_length, experiment.covariates);
   std::vector<double> force;
   for (const Run& run : experiment.runs)
-    for (const Reading& reading : run.readings)
+    for (const Reading& reading : run.readings) {
       force.push_back(std::hypot(or_zero(reading.Fx), or_zero(reading.Fy)));
+      for (const LoadChannel& load : loads)
+        force.back() =
+            std::max(force.back(), std::abs(reading.covariates[load.covariate]) * load.moves.norm());
+    }
   if (force.empty()) return 0;
   const auto place = force.begin() + static_cast<std::ptrdiff_t>(0.9 * static_cast<double>(force.size()));
   std::nth_element(force.begin(), place, force.end());
   return *place;
+}
+
+/// What tendons and pressures do.
+void find_tendons(const Experiment& experiment, CharacteristicScales& size) {
+  for (const Load& load : experiment.loads) {
+    const auto passed =
+        std::count_if(load.moment_arm.begin(), load.moment_arm.end(), [](double arm) { return arm != 0; });
+    size.turned_by_loads = size.turned_by_loads || passed > 0;
+    size.long_tendon = size.long_tendon || (load.kind == Load::Kind::tendon && passed > 1);
+  }
 }
 
 template <class Says>
@@ -140,6 +157,7 @@ CharacteristicScales characteristic_scales(const Experiment& experiment) {
   }
   size.runs = experiment.run_count;
   find_plateau(experiment, size);
+  find_tendons(experiment, size);
   // Without forces, as in a sag test, the typical force turns a joint by a tenth of a radian.
   const double force = typical_force(experiment), unit = size.stiffness / size.length;
   size.force = force > 0 ? std::max(force, 1e-4 * unit) : 0.1 * unit;

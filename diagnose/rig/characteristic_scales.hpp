@@ -12,10 +12,10 @@ struct CharacteristicScales {
   std::vector<double> joint_stiffness, link_length;  ///< nominal
   double stiffness = 0;                              ///< mean of the elastic joints
   double length = 0, link = 0;                       ///< of the chain, and of its mean link
-  double force = 0;                                  ///< the 90 % quantile of the force on the end point
-  double deflection = 0;                             ///< of a joint under such a force, rad
-  double duration = 0, sampling_interval = 0;        ///< of the longest run; of the fastest run
-  bool links = true;                                 ///< a chain; a joint alone has none
+  double force = 0;       ///< the 90 % quantile of the force on the end point, or its like
+  double deflection = 0;  ///< of a joint under such a force, rad
+  double duration = 0, sampling_interval = 0;  ///< of the longest run; of the fastest run
+  bool links = true;                           ///< a chain; a joint alone has none
   double turn = 1;              ///< unit of the ranges of angles, rad: 1, but for joints that hardly turn
   bool weighs = true;           ///< gravity may act in the plane of the bench
   bool nominal_weight = false;  ///< the nominal links have weight
@@ -27,6 +27,8 @@ struct CharacteristicScales {
   bool pivot = false;           ///< a drive holds or pulls the end point; weights do not
   bool clock = false;           ///< time stamps are more than the readings' numbers, 0, 1, 2, ...
   bool measures_both_forces = false;  ///< some run reads both components of the force
+  bool turned_by_loads = false;       ///< tendons or pressures turn joints
+  bool long_tendon = false;           ///< some tendon passes several joints
   std::size_t runs = 0;               ///< of the whole experiment
   bool turns_back = false;            ///< the command of some run reverses
   bool bent_at_rest = false;          ///< some rest angle, other than that of joint 1, is not zero

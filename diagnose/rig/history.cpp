@@ -46,7 +46,10 @@ Vector2 force_on_cell(const Rig& rig, const Vector2& shown) {
 /// A rig in one run: its posture and memory.
 struct Traveller {
   Traveller(const Experiment& experiment, const Rig& rig, const Run& run)
-      : on(rig, run.rest), unloaded(unloaded_end(experiment, run.rest)), memory(run.rest.size()) {
+      : on(rig, run.rest),
+        unloaded(unloaded_end(experiment, run.rest)),
+        memory(run.rest.size()),
+        load_history_(experiment.loads, rig.length.size(), rig.moment_arm_error, rig.capstan_friction) {
     for (std::size_t i = 0; i < memory.size(); ++i) {
       memory[i].angle = on.joint[i].rest;
       rest_then_.push_back(on.joint[i].rest);
@@ -60,17 +63,12 @@ struct Traveller {
   }
 
   /// The true end point (after position offset and rail misalignment) or the true force (after the load cell,
-  /// the pulley and the rail) of a command. The rail turns about the unloaded end point.
+  /// the pulley and the rail) of a command, and the next loads along the chain. The rail turns about the
+  /// unloaded end point.
   /// \param growing  1 while the imposed force grows, -1 while it falls
-  [[nodiscard]] Imposed imposed(const Run& run, const Reading& reading, double growing) const {
-    const Rig& rig = on.rig;
-    if (run.holds_end_point())
-      return {run.control,
-              unloaded + turned(run.imposed_at(reading) - unloaded, rig.misalignment) + rig.position_offset};
-    const double passed = rig.pulley_friction == 0 ? 1 : std::exp(-rig.pulley_friction * growing);
-    if (run.by_weights) return {run.control, turned(passed * run.imposed_at(reading), rig.misalignment)};
-    const Vector2 read = run.imposed_at(reading) - rig.force_bias - rig.force_drift * reading.t;
-    return {run.control, turned(passed * force_on_cell(rig, read), rig.misalignment)};
+  [[nodiscard]] const Imposed& impose(const Run& run, const Reading& reading, double growing) {
+    imposed = {run.control, at_end(run, reading, growing), load_history_.next(reading.covariates)};
+    return imposed;
   }
 
   /// The measured force, in the axes of the rail.
@@ -99,11 +97,23 @@ struct Traveller {
   }
 
   RunRig on;
-  Vector2 unloaded;  ///< end point of the nominal chain at rest
+  Vector2 unloaded;                                      ///< end point of the nominal chain at rest
+  Imposed imposed{Control::end_point, Vector2::Zero()};  ///< last
   Posture posture;
   std::vector<JointMemory> memory;
 
  private:
+  /// The true end point or force.
+  [[nodiscard]] Vector2 at_end(const Run& run, const Reading& reading, double growing) const {
+    const Rig& rig = on.rig;
+    if (run.holds_end_point())
+      return unloaded + turned(run.imposed_at(reading) - unloaded, rig.misalignment) + rig.position_offset;
+    const double passed = rig.pulley_friction == 0 ? 1 : std::exp(-rig.pulley_friction * growing);
+    if (run.by_weights) return turned(passed * run.imposed_at(reading), rig.misalignment);
+    const Vector2 read = run.imposed_at(reading) - rig.force_bias - rig.force_drift * reading.t;
+    return turned(passed * force_on_cell(rig, read), rig.misalignment);
+  }
+
   /// The reading of a first-order load cell for a force that changes linearly between readings.
   Vector2 lagging(const Vector2& now, double dt) {
     const double lag = on.rig.force_lag;
@@ -119,6 +129,7 @@ struct Traveller {
 
   Vector2 felt_ = Vector2::Zero(), shown_ = Vector2::Zero();  ///< at the last reading
   std::vector<double> rest_then_;                             ///< of each joint, likewise
+  LoadHistory load_history_;
 };
 
 /// The last angle of a joint that differed by more than JointLaw::turning from the one before, and the
@@ -186,17 +197,17 @@ class RunWalk {
     }
     at_ = {run_.control, Vector2(0, 0)};
     if (run_.readings.empty()) return;
-    if (run_.holds_end_point()) at_.value = solver_.end_point(main_.on, main_.posture);
+    if (run_.holds_end_point()) at_.value = solver_.end_point(main_.on, {}, main_.posture);
     approach();
   }
 
   /// Sets the direction of motion of a run that does not start at the unloaded chain.
   void approach() {
-    const Vector2 first = run_.command(run_.readings.front());
     if (run_.holds_end_point()) {
-      head(first - unloaded_end(experiment_, run_.rest), 1e-4 * reach(experiment_.link_length).largest);
+      head(run_.imposed_at(run_.readings.front()) - unloaded_end(experiment_, run_.rest),
+           1e-4 * reach(experiment_.link_length).largest);
     } else {
-      head(first, 0);
+      head(run_.command(run_.readings.front()), 0);
     }
   }
 
@@ -286,10 +297,10 @@ class RunWalk {
     const double size = run_.imposed_at(reading).norm();
     if (size != last_size_) growing_ = size > last_size_ ? 1 : -1;
     last_size_ = size;
-    const Imposed target = main_.imposed(run_, reading, growing_);
+    const Imposed& target = main_.impose(run_, reading, growing_);
     const Vector2 command = run_.command(reading);
-    const double way =
-                     reading.rest.empty() ? (target.value - at_.value).norm() : (command - commanded_).norm(),
+    const bool ends_alone = reading.rest.empty() && run_.loads.empty();
+    const double way = ends_alone ? (target.value - at_.value).norm() : (command - commanded_).norm(),
                  share = last_way_ > 0 ? way / last_way_ : 0;
     const auto step_of = [&](Traveller& rig) {
       if (!reading.rest.empty()) rig.turn_to(reading.rest);
@@ -309,7 +320,7 @@ class RunWalk {
     if (!beside_.empty()) solver_.prepare(step, target, main_.posture);
     for (Traveller& other : beside_) {
       const RigStep its = step_of(other);
-      solver_.neighbour(its, other.imposed(run_, reading, growing_), main_.posture, other.posture);
+      solver_.neighbour(its, other.impose(run_, reading, growing_), main_.posture, other.posture);
       other.remember(layout_, its.interval);
     }
     main_.remember(layout_, step.interval);
@@ -329,7 +340,8 @@ class RunWalk {
     if (run_.holds_end_point()) {
       force = rig.measure_force(reading.t, interval_, direction_.x());
     } else {
-      const Vector2 place = solver_.end_point(rig.on, rig.posture) - rig.on.rig.position_offset;
+      const Vector2 place =
+          solver_.end_point(rig.on, rig.imposed.loads, rig.posture) - rig.on.rig.position_offset;
       end = turned((1 + rig.on.rig.place_scale) * place, rig.on.rig.place_turn);
     }
     row(column_x) = end.x();

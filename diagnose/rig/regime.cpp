@@ -17,8 +17,10 @@ Step step(const Trace& nominal, Eigen::Index from, Eigen::Index to) {
           Vector2(difference(column_Fx), difference(column_Fy))};
 }
 
-/// The direction in which the command moves: that of the end point, or of the force.
+/// The direction in which the command moves: that of the end point, of the force, or of loads along the
+/// chain.
 Vector2 pushed(const Run& run, const Trace& nominal, Eigen::Index reading) {
+  if (!run.loads.empty()) return run.command(run.readings[static_cast<std::size_t>(reading)]);
   if (run.holds_end_point()) return {nominal(reading, column_x), nominal(reading, column_y)};
   return {nominal(reading, column_Fx), nominal(reading, column_Fy)};
 }

@@ -79,6 +79,8 @@ struct Rig {
   double misalignment = 0;                    ///< eps, rad
   Vector2 position_offset = Vector2::Zero();  ///< d_x, d_y, m
   double pulley_friction = 0;                 ///< mu: an imposed force acts times exp(-mu) while it grows
+  double moment_arm_error = 0;  ///< a: tendons and pressures turn joints by 1 + a times their moment
+  double capstan_friction = 0;  ///< mu: a tendon slips at a joint at a ratio exp(mu) of tensions
 
   // The camera that reads the end point under imposed forces.
   double place_scale = 0;  ///< it shows 1 + a times the distance from the base

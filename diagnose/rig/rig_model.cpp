@@ -28,6 +28,33 @@ inline Piece piece(double length, const Vector2& u, const Vector2& force, const 
           length * (stretch * n + axial * shear * u)};
 }
 
+/// The loads along the chain that a piece of a link carries.
+/// \param part  how much of a force on that link, by the share of its length at which it acts
+template <class Part>
+Vector2 carried_by(const ChainLoads& loads, std::size_t link, Part part) {
+  Vector2 carried(0, 0);
+  for (const ChainLoads::Force& one : loads.forces) {
+    if (one.link > link) carried += one.value;
+    if (one.link == link) carried += part(one.at) * one.value;
+  }
+  return carried;
+}
+
+/// The points of Gauss's rule along a link, and their weights.
+const double gauss_reach = std::sqrt(0.6);
+const std::array<double, 3> gauss_place{(1 - gauss_reach) / 2, 0.5, (1 + gauss_reach) / 2};
+constexpr std::array<double, 3> gauss_weight{5.0 / 18, 8.0 / 18, 5.0 / 18};
+
+/// How much of a force at a share of a link a point of Gauss's rule carries, so that the rule is exact for
+/// quadratic functions up to that share: the integral of the point's Lagrange polynomial over its weight.
+double part_at(std::size_t point, double share) {
+  const double end = share - 0.5, square = 0.15;  // of the outer points' distance from the middle
+  const double constant = share, linear = (end * end - 0.25) / 2, quadratic = (end * end * end + 0.125) / 3;
+  const double side = (static_cast<double>(point) - 1) * gauss_reach / 2;
+  return (point == 1 ? constant - quadratic / square : (quadratic + side * linear) / (2 * square)) /
+         gauss_weight.at(point);
+}
+
 template <class At>
 void add_stiffness(At& at, Eigen::Index row, Eigen::Index column, double value) {
   at.hessian(std::abs(row - column), std::min(row, column)) += value;
@@ -94,6 +121,7 @@ void RigModel<Bandwidth>::add_joints(const Vector<double>& angle, At& at) const 
     const double q = layout_.joint_angle(angle, i);
     Torque torque = law.elastic(q, step_->memory[i]);
     torque += history(i, q);
+    if (!loads_->moment.empty()) torque += {-loads_->moment[i], 0, -loads_->moment[i] * q};
     add_torque<derivatives>(i, torque.value, torque.slope, at);
     if constexpr (derivatives) at.energy += torque.energy;
   }
@@ -179,7 +207,8 @@ void RigModel<Bandwidth>::add_rigid_links(const Vector<double>& angle, const Vec
   }
   for (std::size_t j = 0; j < layout_.links; ++j) {
     const Eigen::Index i = index(j);
-    const Vector2 carried = run.beyond[j] + 0.5 * run.rig.weight[j];
+    const Vector2 carried =
+        run.beyond[j] + 0.5 * run.rig.weight[j] + carried_by(*loads_, j, [](double share) { return share; });
     const Piece link = piece(run.rig.length[j], along_[j], force, carried, run.rig.axial);
     at.residual(i) += link.residual;
     at.end_point.x += link.moved.x();
@@ -197,9 +226,6 @@ template <int Bandwidth>
 template <bool derivatives>
 void RigModel<Bandwidth>::add_bending_link(std::size_t j, const Vector<double>& angle, const Vector2& force,
                                            At& at) const {
-  static const double reach = std::sqrt(0.6);
-  static const std::array<double, 3> place{(1 - reach) / 2, 0.5, (1 + reach) / 2};
-  static const std::array<double, 3> weight{5.0 / 18, 8.0 / 18, 5.0 / 18};
   static const std::array<std::array<double, 3>, 3> curvature{{{7, -8, 1}, {-8, 16, -8}, {1, -8, 7}}};
   const RunRig& run = step_->run;
   const Eigen::Index first = index(layout_.first(j));
@@ -215,18 +241,19 @@ void RigModel<Bandwidth>::add_bending_link(std::size_t j, const Vector<double>& 
     }
   }
   for (std::size_t g = 0; g < 3; ++g) {
-    const double s = place[g];
+    const double s = gauss_place[g];
     const Eigen::Vector3d shape((1 - s) * (1 - 2 * s), 4 * s * (1 - s), s * (2 * s - 1));
     const double phi = shape.dot(angle.segment<3>(first));
-    const Vector2 carried = run.beyond[j] + (1 - s) * run.rig.weight[j];
+    const Vector2 carried = run.beyond[j] + (1 - s) * run.rig.weight[j] +
+                            carried_by(*loads_, j, [g](double share) { return part_at(g, share); });
     const Vector2 along = unit_vector(phi);
-    const Piece part = piece(weight[g] * length, along, force, carried, run.rig.axial);
+    const Piece part = piece(gauss_weight[g] * length, along, force, carried, run.rig.axial);
     at.residual.template segment<3>(first) += part.residual * shape;
     at.end_point.x += part.moved.x();
     at.end_point.y += part.moved.y();
     if constexpr (!derivatives) continue;
     at.energy += part.energy;
-    at.compliance += weight[g] * length * run.rig.axial * along * along.transpose();
+    at.compliance += gauss_weight[g] * length * run.rig.axial * along * along.transpose();
     at.end_point_gradient.template middleRows<3>(first) += shape * part.arm.transpose();
     for (Eigen::Index a = 0; a < 3; ++a)
       for (Eigen::Index b = 0; b <= a; ++b)

@@ -2,8 +2,9 @@
 /// \file
 /// The rig as a loaded model in absolute angles.
 ///
-/// With T_j the force that link j transmits (the end force and the weights beyond), the mixed potential
-///   Phi(theta, F) = U(theta) - sum_j L_j ((u_j . T_j) + c_a (u_j . T_j)^2 / 2) - F . C F / 2
+/// With T_j the force that link j transmits (the end force, and the weights and forces beyond) and M_j the
+/// moment of tendons and pressures, the mixed potential
+///   Phi(theta, F) = U(theta) - sum_j (L_j ((u_j . T_j) + c_a (u_j . T_j)^2 / 2) + M_j q_j) - F . C F / 2
 /// is stationary in theta at equilibrium, and -dPhi/dF is the end point: axial, base and train compliance
 /// enter by their complementary energy and add no unknown. The stored energy is Phi + F . p, where dry
 /// contacts and Maxwell arms contribute their work since the last reading. An eccentric load has no
@@ -27,9 +28,10 @@ class RigModel {
 
   explicit RigModel(const Layout& layout) : layout_(layout) {}
 
-  /// Sets the rig, the step and the state of the contacts, all by reference.
-  void become(const RigStep& step, const std::vector<Contact>& contact) {
+  /// Sets the rig, the step, the loads along the chain and the state of the contacts, all by reference.
+  void become(const RigStep& step, const ChainLoads& loads, const std::vector<Contact>& contact) {
     step_ = &step;
+    loads_ = &loads;
     contact_ = &contact;
   }
 
@@ -68,6 +70,7 @@ class RigModel {
 
   Layout layout_;
   const RigStep* step_ = nullptr;
+  const ChainLoads* loads_ = nullptr;
   const std::vector<Contact>* contact_ = nullptr;
   /// Unit vectors along rigid links at the last shape: varied rigs are evaluated at the same one.
   mutable std::vector<Vector2> along_;

@@ -30,7 +30,7 @@ constexpr double hold = 1e-8;
 constexpr double smallest_pivot = 1e-6;
 
 Imposed between(const Imposed& from, const Imposed& to, double share) {
-  return {to.control, from.value + share * (to.value - from.value)};
+  return {to.control, from.value + share * (to.value - from.value), between(from.loads, to.loads, share)};
 }
 
 Point<double> point(const Vector2& v) {
@@ -74,7 +74,7 @@ bool RigSolver<Bandwidth>::settle_contacts(const RigStep& step, bool all, Postur
 
 template <int Bandwidth>
 bool RigSolver<Bandwidth>::newton(const RigStep& step, const Imposed& imposed, Pace pace, Posture& posture) {
-  model_.become(step, posture.contact);
+  model_.become(step, imposed.loads, posture.contact);
   if (imposed.control == Control::force) posture.force = point(imposed.value);
   double allowed = largest_turn;
   const double scale = step.run.largest_stiffness / step.run.rig.length.front();
@@ -99,7 +99,7 @@ bool RigSolver<Bandwidth>::newton(const RigStep& step, const Imposed& imposed, P
 template <int Bandwidth>
 bool RigSolver<Bandwidth>::descend(const RigStep& step, const Imposed& imposed, Posture& posture) {
   snapped_ = true;
-  model_.become(step, posture.contact);
+  model_.become(step, imposed.loads, posture.contact);
   const auto contacts = [&] {
     --steps_left_;
     settle_contacts(step, false, posture);
@@ -112,7 +112,7 @@ bool RigSolver<Bandwidth>::descend(const RigStep& step, const Imposed& imposed, 
     trial_ = posture;
     const bool found = newton(step, imposed, Pace::careful, trial_);
     if (found) posture = trial_;
-    model_.become(step, posture.contact);
+    model_.become(step, imposed.loads, posture.contact);
     return found;
   };
   const auto comes_to_rest = [&] {
@@ -167,7 +167,7 @@ bool RigSolver<Bandwidth>::follow(const RigStep& step, const Imposed& before, co
 
 template <int Bandwidth>
 void RigSolver<Bandwidth>::balance(const RigStep& step, const Imposed& imposed, const Posture& posture) {
-  model_.become(step, posture.contact);
+  model_.become(step, imposed.loads, posture.contact);
   system_.balance(posture.angle, posture.force);
   system_.step_to(point(imposed.value));
 }
@@ -191,10 +191,10 @@ void RigSolver<Bandwidth>::neighbour(const RigStep& step, const Imposed& imposed
 }
 
 template <int Bandwidth>
-Vector2 RigSolver<Bandwidth>::end_point(const RunRig& run, const Posture& posture) {
+Vector2 RigSolver<Bandwidth>::end_point(const RunRig& run, const ChainLoads& loads, const Posture& posture) {
   nothing_remembered_.resize(run.joint.size());
   const RigStep step{run, {}, nothing_remembered_};
-  model_.become(step, posture.contact);
+  model_.become(step, loads, posture.contact);
   system_.balance(posture.angle, posture.force);
   return {system_.at().end_point.x, system_.at().end_point.y};
 }

@@ -34,8 +34,8 @@ class RigSolver {
   /// not differ in this run has the same posture to the last bit.
   void neighbour(const RigStep& step, const Imposed& imposed, const Posture& posture, Posture& result);
 
-  /// The end point of a posture, at the drive.
-  Vector2 end_point(const RunRig& run, const Posture& posture);
+  /// The end point of a posture under loads along the chain, at the drive.
+  Vector2 end_point(const RunRig& run, const ChainLoads& loads, const Posture& posture);
 
   /// Whether the last follow() went through a snap.
   [[nodiscard]] bool snapped() const { return snapped_; }

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "diagnose/rig/chain_loads.hpp"
 #include "diagnose/rig/joint_law.hpp"
 #include "diagnose/rig/rig.hpp"
 
@@ -81,10 +82,11 @@ inline Torque history_torque(const RigStep& step, std::size_t joint, double q, c
 void remember(const RunRig& run, const TimeStep& during, std::size_t joint, double q, const Contact* contact,
               JointMemory& memory);
 
-/// The imposed quantity: the true end point or the true force.
+/// What is imposed: the true end point or the true force, and the loads along the chain.
 struct Imposed {
   Control control;
   Vector2 value;
+  ChainLoads loads = {};
 };
 
 /// The unknowns and their coupling.

@@ -151,9 +151,9 @@ class Diagnosis:
 
 def diagnose(nominal: Mapping[str, Any] | NominalChain | Model, runs: Sequence[Mapping[str, Any]], *,
              noise: Mapping[str, float], bench: Mapping[str, Any] | None = None,
-             units: Mapping[str, str] | None = None, columns: Mapping[str, Any] | None = None,
-             name: str = "experiment", effects: PathLike | None = None, next: bool = False, as_is: bool = False,
-             progress: Progress = True) -> Diagnosis:
+             loads: Sequence[Mapping[str, Any]] = (), units: Mapping[str, str] | None = None,
+             columns: Mapping[str, Any] | None = None, name: str = "experiment", effects: PathLike | None = None,
+             next: bool = False, as_is: bool = False, progress: Progress = True) -> Diagnosis:
     """Diagnoses an experiment that is in memory. Keys, units and rules are those of docs/experiment-format.md.
 
     :param nominal: the nominal chain: `link_length`, `joint_stiffness`, and where it has them `link_mass`, `gravity`,
@@ -164,7 +164,9 @@ def diagnose(nominal: Mapping[str, Any] | NominalChain | Model, runs: Sequence[M
         nothing was measured. Compression has a negative Fx
     :param noise: standard deviation of a reading, by channel: `x`, `y`, `Fx`, `Fy`, `q`
     :param bench: `gravity_plane` ("vertical", "horizontal", "unknown") and `gravity_direction`
-    :param units: of the numbers in `nominal` and `rest`, where they are not SI
+    :param loads: tendons, pressures and forces along the chain, each with the keys of a table [[load]]; the columns of
+        their values stand in every run's `samples`
+    :param units: of the numbers in `nominal`, `rest` and `loads`, where they are not SI
     :param columns: units, signs and zeros of the columns, and their names where they have others
     :param effects: a file with effects of your own
     :param next: propose the next run even where the cause is clear
@@ -173,7 +175,7 @@ def diagnose(nominal: Mapping[str, Any] | NominalChain | Model, runs: Sequence[M
         terminal
     :raises Error: for what the format refuses, with the key or the run and reading
     """
-    settings = _settings(nominal, runs, noise, bench, units, columns, name)
+    settings = _settings(nominal, runs, noise, bench, loads, units, columns, name)
     samples = []
     for number, run in enumerate(settings["run"], 1):
         place = f"experiment: run[{number}].samples"
@@ -186,9 +188,9 @@ def diagnose(nominal: Mapping[str, Any] | NominalChain | Model, runs: Sequence[M
 
 
 def plan(nominal: Mapping[str, Any] | NominalChain | Model, runs: Sequence[Mapping[str, Any]], *,
-         noise: Mapping[str, float], bench: Mapping[str, Any] | None = None, units: Mapping[str, str] | None = None,
-         columns: Mapping[str, Any] | None = None, name: str = "bench", effects: PathLike | None = None,
-         progress: Progress = True) -> dict[str, Any]:
+         noise: Mapping[str, float], bench: Mapping[str, Any] | None = None, loads: Sequence[Mapping[str, Any]] = (),
+         units: Mapping[str, str] | None = None, columns: Mapping[str, Any] | None = None, name: str = "bench",
+         effects: PathLike | None = None, progress: Progress = True) -> dict[str, Any]:
     """Before any data: which effects a bench cannot detect, which it cannot distinguish, and the fewest runs that
     distinguish the rest, as `plumbline diagnose --plan --json` says it (docs/plan.md).
 
@@ -196,7 +198,7 @@ def plan(nominal: Mapping[str, Any] | NominalChain | Model, runs: Sequence[Mappi
         shape; of samples the commands count, and no measured value is needed
     :raises Error: as `diagnose`
     """
-    settings = _settings(nominal, runs, noise, bench, units, columns, name)
+    settings = _settings(nominal, runs, noise, bench, loads, units, columns, name)
     samples = []
     for number, run in enumerate(settings["run"], 1):
         if "samples" in run:
@@ -221,14 +223,16 @@ def diagnose_folder(folder: PathLike, *, model: Model | None = None, effects: Pa
 
 
 def _settings(nominal: Mapping[str, Any] | NominalChain | Model, runs: Sequence[Mapping[str, Any]],
-                noise: Mapping[str, float], bench: Mapping[str, Any] | None, units: Mapping[str, str] | None,
-                columns: Mapping[str, Any] | None, name: str) -> dict[str, Any]:
+                noise: Mapping[str, float], bench: Mapping[str, Any] | None, loads: Sequence[Mapping[str, Any]],
+                units: Mapping[str, str] | None, columns: Mapping[str, Any] | None, name: str) -> dict[str, Any]:
     """The keys of experiment.toml; `nominal` is not among them where it is a file."""
     settings: dict[str, Any] = {"format": "chain-experiment/1", "name": name, "noise": noise,
                                 "columns": columns if columns is not None else {}}
     for key, value in (("bench", bench), ("units", units)):
         if value is not None:
             settings[key] = value
+    if loads:
+        settings["load"] = list(loads)
     if isinstance(nominal, NominalChain):
         nominal = nominal.settings()
     if isinstance(nominal, Mapping):

@@ -85,6 +85,20 @@ def test_a_frame_of_pandas_and_other_units_mean_the_same(diagnosis):
     assert found.report["cause"] == diagnosis.report["cause"]
 
 
+def test_a_finger_is_bent_by_its_tendon_alone():
+    tension = np.concatenate([np.arange(13.0), np.arange(11.0, -1, -1)])
+    stiffness, radius, rest = np.array([0.16, 0.12, 0.10]), np.array([0.008, 0.006, 0.005]), np.array([0.2, 0.3, 0.2])
+    angles = rest + tension[:, None] * radius / (stiffness * [1, 0.8, 1])
+    angles += np.random.default_rng(3).normal(0, 0.002, angles.shape)
+    table = {"t": 2 * np.arange(25.0), "pull": 1000 * tension, "q1": angles[:, 0], "q2": angles[:, 1], "q3": angles[:, 2]}
+    found = plumbline.diagnose({"link_length": [0.045, 0.03, 0.025], "joint_stiffness": stiffness, "rest": rest},
+                               [{"id": "bend", "control": "force", "samples": table}], noise={"q": 0.002}, bench=BENCH,
+                               loads=[{"tendon": "tension", "radius": 1000 * radius}], units={"radius": "mm"},
+                               columns={"covariate": {"tension": {"column": "pull", "unit": "mN"}}})
+    assert [(effect["id"], effect["joint"]) for effect in found.report["cause"]["effects"]] == [("joint_stiffness", 2)]
+    assert found.curves()[0].command == "tension, N"
+
+
 def broken(**changes):
     readings = samples("u-press")
     readings.update(changes)

@@ -18,7 +18,7 @@ from program import complaint
 
 EXPERIMENTS, CHAINS = ROOT / "docs" / "experiment-format.md", ROOT / "docs" / "chain-format.md"
 USER_EFFECTS = ROOT / "docs" / "user-effects.md"
-TABLES = ["Top level", "[nominal]", "[[nominal.effect]]", "[[nominal.torque_law]]", "[bench]", "[noise]", "[units]", "[csv]", "[columns]", "[[run]]"]
+TABLES = ["Top level", "[nominal]", "[[nominal.effect]]", "[[nominal.torque_law]]", "[bench]", "[[load]]", "[noise]", "[units]", "[csv]", "[columns]", "[[run]]"]
 
 
 def documented(path, heading, number=0):
@@ -43,22 +43,25 @@ EXPERIMENT = {
                                             {"slips_at": 0.03, "deflection": [-0.1, 0.1], "torque": [0.01, -0.02]}],
                                 "arms": [{"time_constant": 3.0, "stiffness": 0.2}]}]},
     "bench": {"gravity_plane": "vertical", "gravity_direction": [0.0, -1.0]},
+    "load": [{"force": ["Gx", "Gy"], "link": 1, "at": 0.5}, {"tendon": "tension", "radius": [0.01, 0.008]},
+             {"pressure": "p", "volume": [1e-6, 0.0]}],
     "noise": {"x": 0.001, "y": 0.001, "Fx": 0.02, "Fy": 0.02, "q": 0.001},
-    "units": {"link_length": "m", "joint_stiffness": "N m/rad", "link_mass": "kg", "gravity": "m/s^2", "rest": "rad"},
+    "units": {"link_length": "m", "joint_stiffness": "N m/rad", "link_mass": "kg", "gravity": "m/s^2", "rest": "rad",
+              "radius": "mm", "volume": "mm^3"},
     "csv": {"delimiter": ",", "decimal": ".", "header": True, "transposed": False, "skip_lines": 0, "skip_after_header": 0, "comment": "#",
             "missing": ["NaN"]},
     "columns": {"t": "t", "x": "x", "y": 3, "Fx": {"column": "Fx", "unit": "N", "sign": 1, "zero": 0},
                 "Fy": {"constant": 0}, "q": {"column": ["q1", 7], "unit": "rad", "sign": [1, 1], "zero": [0, 0],
                                              "absolute": False},
                 "q_command": {"column": ["c1", "c2"], "unit": "rad", "sign": -1, "zero": [0, 0], "absolute": False},
-                "covariate": {"temperature": {"column": "T", "sign": 1, "zero": 20}}},
+                "covariate": {"temperature": {"column": "T", "sign": 1, "zero": 20}, "p": {"column": "P", "unit": "kPa"}}},
     "run": [{"id": "press", "control": "displacement", "begins": "relaxed", "loaded_by": "servo", "rest": [0.4, -0.9], "samples": "press.csv",
              "csv": {"decimal": "."}, "columns": {"Fx": {"zero": "first"}, "q": ["q1", "q2"]}}],
 }
-SAMPLES = "t,x,y,Fx,Fy,q1,q2,T\n0,9,0,0,0,0,0,20\n1,9,0,0,0,0,0,20\n"
+SAMPLES = "t,x,y,Fx,Fy,q1,q2,T,Gx,Gy,tension,P\n0,9,0,0,0,0,0,20,0,0,0,0\n1,9,0,0,0,0,0,20,0,0,1,1\n"
 # Where a unit of the kind can stand, and what makes it one.
 UNITS = {"length": ("link_length", ""), "torque": ("joint_stiffness", "/rad"), "mass": ("link_mass", ""),
-         "angle": ("rest", ""), "force": ("joint_stiffness", " m/rad"), "time": ("gravity", "^2")}
+         "angle": ("rest", ""), "force": ("joint_stiffness", " m/rad"), "pressure": ("joint_stiffness", " m^3/rad"), "time": ("gravity", "^2")}
 
 
 def toml(value):
@@ -85,7 +88,7 @@ def changed(heading, change):
     copy = json.loads(json.dumps(EXPERIMENT))
     name = heading.strip("[]")
     places = {"run": copy["run"][0], "nominal.effect": copy["nominal"]["effect"][0],
-              "nominal.torque_law": copy["nominal"]["torque_law"][0]}
+              "nominal.torque_law": copy["nominal"]["torque_law"][0], "load": copy["load"][0]}
     change(places[name] if name in places else copy.get(name, copy))
     return copy
 
@@ -105,7 +108,7 @@ def experiments(folder):
             assert Draft202012Validator(schema).is_valid(without) == (key not in required), f"schema, {heading} {key}"
         node = {"Top level": schema, **{f"[{name}]": schema["$defs"][name] for name in ("csv", "columns")},
                 "[[run]]": schema["$defs"]["run"],
-                "[[nominal.effect]]": schema["$defs"]["effect"],
+                "[[load]]": schema["$defs"]["load"], "[[nominal.effect]]": schema["$defs"]["effect"],
                 "[[nominal.torque_law]]": schema["$defs"]["torque_law"]}.get(heading)
         node = node or schema["properties"][heading.strip("[]")]
         assert set(node["properties"]) == named and set(node.get("required", [])) == required, heading

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "diagnose/rig/nominal.hpp"
 #include "tests/close_to.hpp"
@@ -36,18 +37,24 @@ Rig full_rig(bool bending, bool coupled) {
   return rig;
 }
 
-/// A rig that carries no history, and its model at one shape under one force.
+/// Moments at the joints, and forces at the end, within and at the beginning of links.
+ChainLoads loads_along() {
+  return {{0.3, -0.2, 0.15}, {{2, 1, {0.4, -0.6}}, {1, 0.35, {-0.7, 0.2}}, {0, 0, {3, 5}}}};
+}
+
+/// A rig that carries no history, and its model at one shape under one force and loads along the chain.
 template <int Bandwidth>
 struct Loaded {
-  explicit Loaded(const Rig& rig)
+  explicit Loaded(const Rig& rig, ChainLoads along = {})
       : run(rig, rest_of_rig),
+        loads(std::move(along)),
         memory(3),
         step{run, {}, memory},
         layout{3, rig.flexibility > 0, rig.coupling != 0, 0},
         model(layout) {
     angle.resize(static_cast<Eigen::Index>(layout.nodes()));
     for (Eigen::Index i = 0; i < angle.size(); ++i) angle(i) = 0.25 + 0.4 * std::sin(1.7 * double(i) + 0.3);
-    model.become(step, contact);
+    model.become(step, loads, contact);
   }
 
   Expansion<double, Bandwidth> at(const Vector<double>& shape, const Point<double>& load) const {
@@ -57,6 +64,7 @@ struct Loaded {
   }
 
   RunRig run;
+  ChainLoads loads;
   std::vector<JointMemory> memory;
   RigStep step;
   std::vector<Contact> contact;
@@ -83,8 +91,8 @@ double stiffness(const Expansion<double, Bandwidth>& at, Eigen::Index i, Eigen::
 /// Derivatives at any shape and force: first ones of energy and end point, second ones of the energy. An
 /// eccentric load has a residual of its own.
 template <int Bandwidth>
-void check_derivatives(const Rig& rig) {
-  const Loaded<Bandwidth> loaded(rig);
+void check_derivatives(const Rig& rig, const ChainLoads& loads = {}) {
+  const Loaded<Bandwidth> loaded(rig, loads);
   const auto here = loaded.at(loaded.angle, loaded.force);
   for (Eigen::Index i = 0; i < loaded.angle.size(); ++i) {
     CAPTURE(i);
@@ -138,6 +146,12 @@ TEST_CASE("the residual is the gradient of energy less work, the stiffness its d
   check_derivatives<2>(full_rig(false, true));
   check_derivatives<2>(full_rig(true, false));
   check_derivatives<4>(full_rig(true, true));
+}
+
+TEST_CASE("so it is under loads along the chain") {
+  check_derivatives<1>(full_rig(false, false), loads_along());
+  check_derivatives<2>(full_rig(true, false), loads_along());
+  check_derivatives<4>(full_rig(true, true), loads_along());
 }
 
 TEST_CASE("an eccentric load turns the last link; its stiffness is the derivative of the residual") {

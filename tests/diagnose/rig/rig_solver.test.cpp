@@ -26,7 +26,7 @@ struct StandingChain {
       memory[i].angle = unloaded[i];
       posture.angle(static_cast<Eigen::Index>(i)) = theta += unloaded[i];
     }
-    at = {Control::end_point, solver.end_point(on, posture)};
+    at = {Control::end_point, solver.end_point(on, {}, posture)};
   }
 
   [[nodiscard]] RigStep step() const { return {on, {}, memory}; }
@@ -127,7 +127,7 @@ TEST_CASE("a held end point is at its place, and every spring carries the moment
     const Vector2 to = start + by;
     REQUIRE(chain.go({Control::end_point, to}));
     CHECK_FALSE(chain.solver.snapped());
-    CHECK((chain.solver.end_point(chain.on, chain.posture) - to).norm() < left_by_newton);
+    CHECK((chain.solver.end_point(chain.on, {}, chain.posture) - to).norm() < left_by_newton);
     for (std::size_t i = 0; i < 3; ++i) CHECK(std::abs(out_of_balance(chain, i)) < left_by_newton);
   }
   // back where it came from it is unloaded again
@@ -145,7 +145,7 @@ TEST_CASE("imposing a force, then its end point, gives the same equilibrium") {
   CHECK(loaded.posture.force.x == force.x());
   CHECK(loaded.posture.force.y == force.y());
   for (std::size_t i = 0; i < 3; ++i) CHECK(std::abs(out_of_balance(loaded, i)) < left_by_newton);
-  REQUIRE(held.go({Control::end_point, loaded.solver.end_point(loaded.on, loaded.posture)}));
+  REQUIRE(held.go({Control::end_point, loaded.solver.end_point(loaded.on, {}, loaded.posture)}));
   // A millimetre of the end point is about 5 mrad, one over the length of a link, and some 0.1 N, k / L^2.
   CHECK((held.posture.angle - loaded.posture.angle).norm() < 10 * left_by_newton);
   CHECK((Vector2(held.posture.force.x, held.posture.force.y) - force).norm() < 1e3 * left_by_newton);
@@ -172,7 +172,7 @@ TEST_CASE("a nearly straight chain is solved for any eccentricity of the force")
     for (const double by : {0.0, -0.003, -0.01, -0.03}) {
       const Vector2 to = start + Vector2(by, 0);
       REQUIRE(chain.go({Control::end_point, to}));
-      CHECK((chain.solver.end_point(chain.on, chain.posture) - to).norm() < left_by_newton);
+      CHECK((chain.solver.end_point(chain.on, {}, chain.posture) - to).norm() < left_by_newton);
       // 1e2: in compression forces are tens of newtons.
       for (std::size_t i = 0; i < 3; ++i) CHECK(std::abs(out_of_balance(chain, i)) < 1e2 * left_by_newton);
       if (by < 0) CHECK(chain.posture.force.x < 0);

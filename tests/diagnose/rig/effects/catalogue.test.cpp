@@ -90,6 +90,8 @@ TEST_CASE("a sizeable amount of each effect, by hand") {
       {"position_offset", {0.0065, 0.0065}},
       {"train_compliance", {c}},
       {"pulley_friction", {0.03}},
+      {"moment_arm", {0.05}},
+      {"capstan_friction", {0.03}},
       {"camera_scale", {0.01}},
       {"camera_turn", {0.02}},
       {"force_bias", {0.35, 0.35}},
@@ -264,6 +266,7 @@ TEST_CASE("every effect: perturbed parameters, step, dissipation and excitation"
                                            {"link_bending", {{}, true, false, 1, 1, false}},
                                            {"guide_friction", {{}, false, true, 100, 1, false}},
                                            {"pulley_friction", {{}, false, true, 100, 1, false}},
+                                           {"capstan_friction", {{}, false, true, 100, 1, false}},
                                            {"stiffness_spread", {{}, false, false, 100, 1, true}},
                                            {"length_spread", {{}, false, false, 100, 1, true}},
                                            {"rest_spread", {{}, false, false, 100, 1, true}},
@@ -364,7 +367,7 @@ TEST_CASE("an effect is possible where the bench meets each of its conditions") 
   CharacteristicScales all = sizes_by_hand();
   all.measures_force = all.load_cell = all.pivot = all.clock = all.measures_both_forces = true;
   all.turns_back = all.bent_at_rest = all.nominal_weight = all.imposes_force = true;
-  all.load_sensor = all.reads_load = true;
+  all.load_sensor = all.reads_load = all.turned_by_loads = all.long_tendon = true;
   all.measured.fill(true);
   all.at_largest = 4;
   const auto one_spring = [](CharacteristicScales& s) { s.joint_stiffness = {0, 3, 0}; };
@@ -412,6 +415,8 @@ TEST_CASE("an effect is possible where the bench meets each of its conditions") 
       {"train_compliance", no_force},
       {"pulley_friction", [](CharacteristicScales& s) { s.imposes_force = false; }},
       {"pulley_friction", no_turn},
+      {"moment_arm", [](CharacteristicScales& s) { s.turned_by_loads = false; }},
+      {"capstan_friction", [](CharacteristicScales& s) { s.long_tendon = false; }},
       {"camera_scale", no_place},
       {"camera_turn", no_place},
       {"force_bias", no_cell},
@@ -550,6 +555,8 @@ TEST_CASE("effects of one kind add up; the contribution of each to the rig, by h
   CHECK(with("tip_stiffness", 0, {1}).tip_stiffness == 2);
   CHECK(with("guide_friction", 0, {1}).guide_friction == 2);
   CHECK(with("pulley_friction", 0, {1}).pulley_friction == 2);
+  CHECK(with("moment_arm", 0, {1}).moment_arm_error == 2);
+  CHECK(with("capstan_friction", 0, {1}).capstan_friction == 2);
   CHECK(with("camera_scale", 0, {1}).place_scale == 2);
   CHECK(with("camera_turn", 0, {1}).place_turn == 2);
   CHECK(with("position_offset", 0, {1, 2}).position_offset == Vector2(2, 4));
