@@ -10,24 +10,24 @@ namespace {
 std::string words(const std::vector<std::string>& list) {
   return fmt::format("COMPREPLY=($(compgen -W '{}' -- \"$cur\"))", fmt::join(list, " "));
 }
-std::string action(const CLI::Option& option) {
+std::string bash_action(const CLI::Option& option) {
   if (const auto listed = choices(option); !listed.empty()) return words(listed);
   if (is_folder(option)) return "COMPREPLY=($(compgen -d -- \"$cur\"))";
   if (is_file(option)) return "COMPREPLY=($(compgen -f -- \"$cur\"))";
   return "COMPREPLY=()";
 }
 
-std::string verb_case(const CLI::App& verb) {
+std::string bash_case(const CLI::App& verb) {
   std::string after, positional = "COMPREPLY=()";
   std::vector<std::string> all;
   for (const CLI::Option* option : verb.get_options()) {
     const std::vector<std::string> names = flags(*option);
     all.insert(all.end(), names.begin(), names.end());
     if (names.empty()) {
-      positional = action(*option);
+      positional = bash_action(*option);
     } else if (takes_value(*option)) {
       after += fmt::format("        {}) {}; [[ $cur == -* ]] || return ;;\n", fmt::join(names, "|"),
-                           action(*option));
+                           bash_action(*option));
     }
   }
   return fmt::format(
@@ -48,7 +48,7 @@ std::string bash_completion(const CLI::App& command) {
       "  local cur=\"${{COMP_WORDS[COMP_CWORD]}}\" prev=\"${{COMP_WORDS[COMP_CWORD-1]}}\"\n"
       "  if [[ $COMP_CWORD -eq 1 ]]; then {}; return; fi\n  case \"${{COMP_WORDS[1]}}\" in\n",
       words(first));
-  for (const CLI::App* verb : verbs(command)) text += verb_case(*verb);
+  for (const CLI::App* verb : verbs(command)) text += bash_case(*verb);
   return text + "  esac\n}\ncomplete -o filenames -F _plumbline plumbline\n";
 }
 

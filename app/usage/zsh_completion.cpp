@@ -21,7 +21,7 @@ std::string quoted(const std::string& text) {
   return result;
 }
 
-std::string action(const CLI::Option& option) {
+std::string zsh_action(const CLI::Option& option) {
   if (const auto listed = choices(option); !listed.empty())
     return fmt::format("({})", fmt::join(listed, " "));
   if (is_folder(option)) return "_files -/";
@@ -31,15 +31,15 @@ std::string action(const CLI::Option& option) {
 
 /// A line for _arguments.
 std::string specification(const CLI::Option& option, const std::string& flag) {
-  const std::string value =
-      fmt::format("{}:{}", quoted(flag.empty() ? option.get_name() : option.get_type_name()), action(option));
+  const std::string value = fmt::format(
+      "{}:{}", quoted(flag.empty() ? option.get_name() : option.get_type_name()), zsh_action(option));
   if (flag.empty()) return fmt::format("'{}:{}'", option.get_required() ? "" : ":", value);
   const std::string described = fmt::format("{}[{}]", flag, quoted(option.get_description()));
   if (!takes_value(option)) return fmt::format("'{}'", described);
   return fmt::format("'{}{}{}'", described, option.get_expected_min() == 0 ? "::" : ":", value);
 }
 
-std::string verb_case(const CLI::App& verb) {
+std::string zsh_case(const CLI::App& verb) {
   std::string text = fmt::format("    {})\n      _arguments", verb.get_name());
   for (const CLI::Option* option : verb.get_options()) {
     const std::vector<std::string> names = flags(*option);
@@ -58,7 +58,7 @@ std::string zsh_completion(const CLI::App& command) {
   text +=
       "  )\n  if (( CURRENT == 2 )); then _describe verb verbs; return; fi\n"
       "  local verb=$words[2]\n  shift words\n  (( CURRENT-- ))\n  case $verb in\n";
-  for (const CLI::App* verb : verbs(command)) text += verb_case(*verb);
+  for (const CLI::App* verb : verbs(command)) text += zsh_case(*verb);
   return text + "  esac\n}\n_plumbline \"$@\"\n";
 }
 

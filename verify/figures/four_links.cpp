@@ -18,7 +18,7 @@ using std::numbers::pi;
 Chain<double> four_links(std::vector<double> rest) {
   return Chain<double>({1, 1, 1, 1}, {1, 1, 1, 1}, std::move(rest));
 }
-const std::vector<double> u_shape{-0.3179, 0.0558, 0.3804, 0.3524}, z_shape{-0.2417, 0.6821, -0.7958, 0.5170};
+const std::vector<double> u_rest{-0.3179, 0.0558, 0.3804, 0.3524}, z_rest{-0.2417, 0.6821, -0.7958, 0.5170};
 
 proofs::PathTask compressed(const Chain<double>& chain, double reach, double last) {
   return {chain, {Control::end_point, {reach, 0}, {-1, 0}}, last, 0.03, 1};
@@ -117,7 +117,7 @@ std::vector<page::Panel> force_curves(const Chain<double>& chain) {
 
 std::vector<page::Panel> draw_figure_10() {
   std::vector<page::Panel> panels;
-  for (const auto& [name, rest] : {std::pair{"U-shape", u_shape}, {"Z-shape", z_shape}}) {
+  for (const auto& [name, rest] : {std::pair{"U-shape", u_rest}, {"Z-shape", z_rest}}) {
     const Chain<double> chain = four_links(rest);
     page::Panel panel{fmt::format("{}: q = ({:.4f})", name, fmt::join(rest, ", ")), "x / L", "y / L", {}, {},
                       "set key off\nset xrange [-0.2:4.8]\nset yrange [-1:0.6]",    true};
@@ -133,23 +133,23 @@ std::vector<page::Panel> draw_figure_10() {
 }
 
 std::vector<page::Panel> draw_figure_11() {
-  const auto chain = four_links(u_shape);
+  const auto chain = four_links(u_rest);
   return {energy_surface(chain, 3.4, 1, "E(q_1, q_2), U-shape, q_4 > 0"),
           energy_surface(chain, 3.4, -1, "the other sheet, q_4 < 0"), shapes_at(chain, 3.4)};
 }
 
 std::vector<page::Panel> draw_figure_12() {
-  return force_curves(four_links(u_shape));
+  return force_curves(four_links(u_rest));
 }
 
 std::vector<page::Panel> draw_figure_13() {
-  const auto chain = four_links(z_shape);
+  const auto chain = four_links(z_rest);
   return {energy_surface(chain, 3.4, 1, "E(q_1, q_2), Z-shape, q_4 > 0"),
           energy_surface(chain, 3.4, -1, "the other sheet, q_4 < 0"), shapes_at(chain, 3.4)};
 }
 
 std::vector<page::Panel> draw_figure_14() {
-  return force_curves(four_links(z_shape));
+  return force_curves(four_links(z_rest));
 }
 
 std::vector<page::Panel> draw_figure_15() {
