@@ -98,7 +98,7 @@ NominalArm read_nominal_arm(const Section& section, const ReadArm& read) {
     nominal = read(file, end("base"), end("tip"));
   }
   read_stiffness(section, nominal);
-  if (section.has("gravity")) nominal.arm.gravity = vector_or(section, "gravity", {});
+  nominal.arm.gravity = vector_or(section, "gravity", nominal.arm.gravity);
   if (section.has("base_xyz") || section.has("base_rpy"))
     nominal.arm.base = pose(section, "base_xyz", "base_rpy");
   return nominal;

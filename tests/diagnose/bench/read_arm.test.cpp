@@ -14,7 +14,7 @@ using namespace plumbline::diagnose;
 
 namespace {
 
-const std::string settings = R"(format = "chain-experiment/1"
+const std::string arm_settings = R"(format = "chain-experiment/1"
 name = "two axes"
 [arm]
 tip_xyz = [0.3, 0, 0]
@@ -37,13 +37,13 @@ angle = "deg"
 id = "one"
 samples = "one.csv"
 )";
-const std::string table =
+const std::string arm_table =
     "t,q_command1,q_command2,tip_x,tip_y,tip_z,weight\n0,0,0,550,0,400,0\n1,90,0,0,550,400,1.5\n";
 
-/// An experiment with a text of its settings, and of its table, replaced.
+/// An experiment with a text of its arm_settings, and of its arm_table, replaced.
 Experiment read(const std::string& old_settings = "", const std::string& new_settings = "",
                 const std::string& old_table = "", const std::string& new_table = "") {
-  std::map<std::string, std::string> files{{"experiment.toml", settings}, {"one.csv", table}};
+  std::map<std::string, std::string> files{{"experiment.toml", arm_settings}, {"one.csv", arm_table}};
   const auto replace = [&](const std::string& file, const std::string& from, const std::string& to) {
     if (from.empty()) return;
     const std::size_t at = files[file].find(from);
@@ -81,7 +81,7 @@ TEST_CASE("a pose is read as a rotation from the nominal orientation") {
   // the arm turned by a quarter about z, and by 0.1 rad more
   const double half = (std::numbers::pi / 2 + 0.1) / 2;
   const std::string quaternion = std::to_string(std::cos(half)) + ",0,0," + std::to_string(std::sin(half));
-  const Experiment experiment = read("place = 0.01", "place = 0.01\nturn = 0.1", table,
+  const Experiment experiment = read("place = 0.01", "place = 0.01\nturn = 0.1", arm_table,
                                      "q_command1,q_command2,tip_qw,tip_qx,tip_qy,tip_qz\n90,0," + quaternion +
                                          "\n0,0,1,0,0,0\n0,0,1,0,0,0\n");
   // six digits after the point
@@ -123,7 +123,7 @@ TEST_CASE("slips in an arm's experiment are told in one line") {
 
 TEST_CASE("quaternions whose first number is x are asked about") {
   const std::string header = "q_command1,q_command2,tip_qw,tip_qx,tip_qy,tip_qz\n";
-  CHECK_THROWS_WITH_AS(static_cast<void>(read("place = 0.01", "turn = 0.1", table,
+  CHECK_THROWS_WITH_AS(static_cast<void>(read("place = 0.01", "turn = 0.1", arm_table,
                                               header + "0,0,0,0,0,1\n90,0,0,0,0.7071,0.7071\n0,0,0,0,0,1\n")),
                        doctest::Contains("their first number is x"), Error);
 }

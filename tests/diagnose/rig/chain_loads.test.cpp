@@ -24,7 +24,7 @@ using namespace plumbline::diagnose::test;
 namespace {
 
 /// Equilibria are solved to ten digits of angles of about one.
-constexpr double solved = 1e-9;
+constexpr double rounding_of_equilibria = 1e-9;
 
 Trace trace_of(const Experiment& experiment, const Rig& rig) {
   const Prediction predicted = simulate(experiment, rig, {});
@@ -72,7 +72,7 @@ TEST_CASE("a tendon turns each joint by its radius times the tension over the st
           const double tension = experiment.runs[0].readings[i].covariates[0];
           const double turned = radius[j] * tension / experiment.joint_stiffness[j];
           RC_ASSERT(std::abs(angle(trace, static_cast<Eigen::Index>(i), j) - finger_rest[j] - turned) <
-                    solved);
+                    rounding_of_equilibria);
         }
     }
   });
@@ -80,7 +80,7 @@ TEST_CASE("a tendon turns each joint by its radius times the tension over the st
 
 TEST_CASE("a first tension that turns joints by more than a radian is no snap") {
   const Trace trace = trace_of(finger({40, 50}));
-  CHECK(angle(trace, 0, 0) == close_to(0.1 + 0.012 * 40 / 0.4).epsilon(solved));
+  CHECK(angle(trace, 0, 0) == close_to(0.1 + 0.012 * 40 / 0.4).epsilon(rounding_of_equilibria));
 }
 
 TEST_CASE("a force at the end of the last link is that on the end point") {
@@ -92,14 +92,15 @@ TEST_CASE("a force at the end of the last link is that on the end point") {
   for (const bool yields : {false, true}) {
     const auto rig = [&](const Experiment& one) { return yields ? yielding(one) : nominal_rig(one); };
     const Trace of_end = trace_of(at_end, rig(at_end)), of_link = trace_of(along, rig(along));
-    CHECK(difference(of_end.leftCols(2), of_link.leftCols(2)) < solved);
-    CHECK(difference(of_end.rightCols(3), of_link.rightCols(3)) < solved);
+    CHECK(difference(of_end.leftCols(2), of_link.leftCols(2)) < rounding_of_equilibria);
+    CHECK(difference(of_end.rightCols(3), of_link.rightCols(3)) < rounding_of_equilibria);
   }
 }
 
 TEST_CASE("a force at the beginning of a link is one at the end of the link before") {
   const Experiment after = pulled_at(2, 0, {0.6, -1.1}), before = pulled_at(1, 1, {0.6, -1.1});
-  CHECK(difference(trace_of(after, yielding(after)), trace_of(before, yielding(before))) < solved);
+  CHECK(difference(trace_of(after, yielding(after)), trace_of(before, yielding(before))) <
+        rounding_of_equilibria);
 }
 
 TEST_CASE("beyond a force on a link the chain stays at rest; to it, it is a chain that ends there") {
@@ -112,9 +113,9 @@ TEST_CASE("beyond a force on a link the chain stays at rest; to it, it is a chai
     cut.runs[0].by_weights = true;
     const Trace ends_there = trace_of(cut);
     for (Eigen::Index i = 0; i < whole.rows(); ++i) {
-      CHECK(angle(whole, i, 0) == close_to(angle(ends_there, i, 0)).epsilon(solved));
-      CHECK(angle(whole, i, 1) == close_to(angle(ends_there, i, 1)).epsilon(solved));
-      CHECK(angle(whole, i, 2) == close_to(0.4).epsilon(solved));
+      CHECK(angle(whole, i, 0) == close_to(angle(ends_there, i, 0)).epsilon(rounding_of_equilibria));
+      CHECK(angle(whole, i, 1) == close_to(angle(ends_there, i, 1)).epsilon(rounding_of_equilibria));
+      CHECK(angle(whole, i, 2) == close_to(0.4).epsilon(rounding_of_equilibria));
     }
   }
 }
@@ -132,7 +133,7 @@ TEST_CASE("a weight hung at the middle of a link is that of the link") {
     const Trace by_load = trace_of(hung, with_load), by_weight = trace_of(heavy, rig);
     const double apart = difference(by_load.row(6), by_weight.row(1));
     // A beam under its weight bends otherwise than under that weight in the middle.
-    CHECK(apart < (flexibility > 0 ? 0.02 : solved));
+    CHECK(apart < (flexibility > 0 ? 0.02 : rounding_of_equilibria));
   }
 }
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <random>
 
-#include "diagnose/inference/study.hpp"
 #include "diagnose/inference/measurements.hpp"
+#include "diagnose/inference/study.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 
