@@ -4,9 +4,11 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "diagnose/answers/diagnosis.hpp"
 #include "diagnose/design/candidate_runs.hpp"
+#include "diagnose/discrepancy/torque_balance.hpp"
 #include "diagnose/report/view.hpp"
 #include "tests/diagnose/finger.hpp"
 
@@ -52,4 +54,16 @@ TEST_CASE("the tension is what a finger's curves are drawn over, and its range w
   CHECK(proposed[1].description == "tension from 0 to 12 N from the rest shape of bend and back");
   CHECK(proposed[1].run.turns_back());
   CHECK(proposed[0].run.readings.back().covariates[0] == 12);
+}
+
+TEST_CASE("at the angles of the equilibrium loads along a chain leave no torque missing") {
+  Experiment experiment = finger(there_and_back(8, 4));
+  for (Reading& reading : experiment.runs[0].readings)
+    reading.covariates = {reading.covariates[0], 0.3, -0.1 * reading.covariates[0]};
+  set_loads(experiment, {{Load::Kind::tendon, 0, finger_radius}, {Load::Kind::force, 1, {}, 1, 0.6}},
+            {"tension", "Gx", "Gy"});
+  const Study study(experiment);
+  constexpr double solved = 1e-9;  // N m, of torques of a tenth
+  for (const auto& of_joint : missing_torques(as_measured(experiment, study.nominal())))
+    for (const MissingTorque& one : of_joint) CHECK(std::abs(one.torque) < solved);
 }

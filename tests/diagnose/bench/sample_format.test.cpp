@@ -16,8 +16,8 @@ namespace {
 
 /// The format of a chain of two joints with what these tables change.
 SampleFormat format_of(const std::string& tables) {
-  const toml::table table = files::parse_toml(tables, "F");
-  return read_sample_format(Section(table, "F"), standard_format(2));
+  const toml::table parsed = files::parse_toml(tables, "F");
+  return read_sample_format(Section(parsed, "F"), standard_format(2));
 }
 
 std::string format_fault(const std::string& tables) {

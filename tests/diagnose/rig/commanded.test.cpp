@@ -44,7 +44,7 @@ Experiment swept_joint(double first = 0) {
   return experiment;
 }
 
-double reached(const Prediction& predicted, Eigen::Index reading) {
+double angle_of_joint(const Prediction& predicted, Eigen::Index reading) {
   return predicted.runs[0](reading, column_q);
 }
 
@@ -79,13 +79,14 @@ TEST_CASE("dry friction holds the joint back by its torque, and over a reversal 
   const double lag = 1.2 / 20, gives = 1e-5 * lag;
   const Prediction predicted = simulate(experiment, rig, {});
   REQUIRE(predicted.reached);
-  CHECK(std::abs(reached(predicted, 1)) < 2 * gives);  // 0.05 rad ask for 1 N m: it stays
+  CHECK(std::abs(angle_of_joint(predicted, 1)) < 2 * gives);  // 0.05 rad ask for 1 N m: it stays
   for (Eigen::Index i = 2; i <= 12; ++i)
-    CHECK(reached(predicted, i) == doctest::Approx(0.05 * static_cast<double>(i) - lag).epsilon(1e-6));
+    CHECK(angle_of_joint(predicted, i) == doctest::Approx(0.05 * static_cast<double>(i) - lag).epsilon(1e-6));
   for (Eigen::Index i = 13; i <= 14; ++i)  // back by less than twice the lag, 0.12 rad
-    CHECK(std::abs(reached(predicted, i) - reached(predicted, 12)) < 4 * gives);
+    CHECK(std::abs(angle_of_joint(predicted, i) - angle_of_joint(predicted, 12)) < 4 * gives);
   for (Eigen::Index i = 15; i <= 24; ++i)
-    CHECK(reached(predicted, i) == doctest::Approx(0.05 * static_cast<double>(24 - i) + lag).epsilon(1e-6));
+    CHECK(angle_of_joint(predicted, i) ==
+          doctest::Approx(0.05 * static_cast<double>(24 - i) + lag).epsilon(1e-6));
 }
 
 TEST_CASE("a run that begins moving has slipped before its first reading") {
@@ -95,8 +96,8 @@ TEST_CASE("a run that begins moving has slipped before its first reading") {
   experiment.runs[0].begins_moving = true;
   const Prediction predicted = simulate(experiment, rig, {});
   REQUIRE(predicted.reached);
-  CHECK(reached(predicted, 0) == doctest::Approx(-0.06).epsilon(1e-6));
-  CHECK(reached(predicted, 1) == doctest::Approx(-0.01).epsilon(1e-5));
+  CHECK(angle_of_joint(predicted, 0) == doctest::Approx(-0.06).epsilon(1e-6));
+  CHECK(angle_of_joint(predicted, 1) == doctest::Approx(-0.01).epsilon(1e-5));
   const std::optional<Reading> before = experiment.runs[0].before_first();
   REQUIRE(before);
   CHECK(before->rest[0] == doctest::Approx(-0.2));
@@ -112,8 +113,8 @@ TEST_CASE(
   const Prediction predicted = simulate(experiment, rig, {});
   REQUIRE(predicted.reached);
   for (Eigen::Index i = 0; i <= 24; ++i)
-    CHECK(std::abs(reached(predicted, i) - experiment.runs[0].readings[static_cast<std::size_t>(i)].rest[0]) <
-          as_near);
+    CHECK(std::abs(angle_of_joint(predicted, i) -
+                   experiment.runs[0].readings[static_cast<std::size_t>(i)].rest[0]) < as_near);
 }
 
 TEST_CASE("sensitivities along a sweep are those of two rigs") {
