@@ -302,6 +302,17 @@ Run read_poses_of(const Section& section, const Source& source, const PoseFormat
   return run;
 }
 
+/// The temperature is noted in every run or in none.
+void require_common_temperature(const std::vector<Run>& runs, const std::string& place) {
+  const auto is_noted = [](const Run& run) { return !run.readings.front().covariates.empty(); };
+  for (const Run& run : runs)
+    if (is_noted(run) != is_noted(runs.front()))
+      throw Error(
+          place,
+          fmt::format("runs \"{}\" and \"{}\", of which one has a temperature", runs.front().id, run.id),
+          "a temperature in every run or in none");
+}
+
 /// The settings of an arm in space, from the table [arm] on.
 Experiment read_arm_settings(const Section& root, const Source& source) {
   if (root.has("load"))
@@ -330,6 +341,8 @@ Experiment read_arm_settings(const Section& root, const Source& source) {
       throw Error(section.place("id"), "\"" + experiment.runs.back().id + "\" again",
                   "an id that no other run has");
   }
+  require_common_temperature(experiment.runs, root.place("run"));
+  if (!experiment.runs.front().readings.front().covariates.empty()) experiment.covariates = {"temperature"};
   count_from_first_reading(experiment.runs);
   return experiment;
 }

@@ -73,6 +73,7 @@ class PoseReader {
         one.torque.push_back(in(format_.units.moment, name, row));
     add_points(row, one);
     add_load(row, one);
+    if (place_.contains("temperature")) one.covariates.push_back(temperature(row));
     return one;
   }
 
@@ -129,7 +130,7 @@ class PoseReader {
   }
 
   void require_known() const {
-    ColumnNames known{"t", "weight"};
+    ColumnNames known{"t", "weight", "temperature"};
     const auto add = [&](const ColumnNames& more) { known.insert(known.end(), more.begin(), more.end()); };
     add(of_wrench), add(format_.ignored);
     for (const char* stem : {"q_command", "q", "torque"}) add(counted(stem, joints_));
@@ -141,7 +142,7 @@ class PoseReader {
             header(), "a column '" + files::shown(name) + "'",
             fmt::format(
                 "t, q_command1 to q_command{}, q1 …, torque1 …, a point's {}_x, _y, _z, _rx …, _qw …, "
-                "Fx … Mz or weight; or columns.ignore = [\"{}\"]",
+                "Fx … Mz or weight, temperature; or columns.ignore = [\"{}\"]",
                 joints_, experiment_.arm_bench.points.front().name, files::shown(name)));
   }
 
@@ -150,6 +151,13 @@ class PoseReader {
     const std::optional<std::string> decimal = decimal_in(text, format_.csv);
     if (!decimal) refuse_field(text, format_.csv, where(row) + ", " + files::shown(name));
     return nearest_double(*decimal);
+  }
+
+  [[nodiscard]] double temperature(std::size_t row) const {
+    const double value = number("temperature", row);
+    if (std::isnan(value))
+      throw Error(where(row) + ", temperature", "an empty field", "the temperature of every reading");
+    return value;
   }
 
   [[nodiscard]] double in(const Unit& unit, const std::string& name, std::size_t row) const {

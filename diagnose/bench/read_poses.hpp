@@ -23,7 +23,8 @@ struct PoseFormat {
 };
 
 /// Columns, by their names in the header: t; q_command1 …; q1 …; NAME_x, NAME_y, NAME_z of a point, NAME_rx …
-/// or NAME_qw, NAME_qx … of its orientation; Fx … Mz or weight at the load; torque1 ….
+/// or NAME_qw, NAME_qx … of its orientation; Fx … Mz or weight at the load; torque1 …; temperature, the only
+/// covariate.
 /// \param experiment  with its arm and bench
 /// \param before      number of readings before these: without a column t they are counted on
 /// \throws Error that names the source and the line: a column of no meaning or of a point that there is not, one

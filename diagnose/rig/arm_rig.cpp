@@ -20,9 +20,9 @@ ArmRig ArmRig::nominal(const Experiment& experiment) {
 
 bool operator==(const ArmRig& a, const ArmRig& b) {
   const auto plain = [](const ArmRig& r) {
-    return std::tie(r.arm, r.zero, r.scale, r.ripple, r.balance, r.compensated, r.mount_compliance,
-                    r.tracker_scale, r.points, r.load, r.wrench_scale, r.wrench_bias, r.angle_bias,
-                    r.angle_scale, r.torque_bias, r.torque_scale);
+    return std::tie(r.arm, r.zero, r.scale, r.ripple, r.balance, r.expansion, r.compensated,
+                    r.mount_compliance, r.tracker_scale, r.points, r.load, r.wrench_scale, r.wrench_bias,
+                    r.angle_bias, r.angle_scale, r.torque_bias, r.torque_scale);
   };
   return plain(a) == plain(b) && a.tracker.matrix() == b.tracker.matrix();
 }

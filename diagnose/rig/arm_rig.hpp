@@ -19,6 +19,7 @@ struct ArmRig {
   std::vector<Eigen::Vector2d> ripple;
   /// Torque on the joint, of the cosine and the sine of its angle: of a counterweight or a spring, N m.
   std::vector<Eigen::Vector2d> balance;
+  double expansion = 0;    ///< of all lengths, 1/K, from the temperature of the first reading on
   double compensated = 0;  ///< share of the nominal torque of gravity that the servos hold without yielding
   /// Turn of the base about its x and y by the moment on it, rad/(N m).
   Eigen::Vector2d mount_compliance = Eigen::Vector2d::Zero();

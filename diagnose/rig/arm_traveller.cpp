@@ -56,6 +56,7 @@ void ArmTraveller::head_for(const Reading& reading) {
   }
   command_ = reading.rest;
   rest_ = rest;
+  expand(reading);
   on_.turn_to(rest);
   target_ = commanded(arm_, column(rest));
   wrenches_.clear();
@@ -65,6 +66,19 @@ void ArmTraveller::head_for(const Reading& reading) {
     wrenches_.push_back({rig.load, wrench.head<3>(), wrench.tail<3>()});
   }
   hold_weight();
+}
+
+void ArmTraveller::expand(const Reading& reading) {
+  const double rate = on_.rig.arm->expansion;
+  if (rate == 0) return;
+  const double first = experiment_->runs.front().readings.front().covariates.front();
+  const double growth = 1 + rate * (reading.covariates.front() - first);
+  const SerialArm<double>& cold = on_.rig.arm->arm;
+  for (std::size_t i = 0; i < arm_.size(); ++i) {
+    arm_.links[i].frame.translation() = growth * cold.links[i].frame.translation();
+    arm_.links[i].centre = growth * cold.links[i].centre;
+  }
+  arm_.tip.translation() = growth * cold.tip.translation();
 }
 
 /// The servos know the nominal weight of the arm as it is commanded.

@@ -33,6 +33,8 @@ class ArmTraveller {
   void write(const Reading& reading, Eigen::Ref<Eigen::ArrayXd> row) const;
 
  private:
+  /// Lengthens the arm by the temperature of a reading.
+  void expand(const Reading& reading);
   void hold_weight();
   /// Loads at a posture: of gravity, wrenches and balances, less what the servos hold.
   [[nodiscard]] ArmLoads<double> loads(const ArmPosture<double>& posture) const;
@@ -54,7 +56,7 @@ class ArmTraveller {
 
   const Experiment* experiment_;
   RunRig on_;
-  SerialArm<double> arm_;            ///< on its mount as it yields
+  SerialArm<double> arm_;            ///< at its temperature, on its mount as it yields
   std::vector<Eigen::Index> joint_;  ///< their freedoms
   Matrix<double> compliance_;        ///< of all freedoms; zero for joints with a law
   std::size_t sliders_;              ///< of each joint

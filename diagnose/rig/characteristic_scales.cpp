@@ -110,6 +110,7 @@ void add_arm(const Experiment& experiment, CharacteristicScales& size) {
     size.load_cell = size.load_cell || reads_wrench(run);
     for (const Reading& reading : run.readings) {
       force = std::max(force, reading.wrench_force().norm());
+      size.warms = size.warms || reading.covariates != experiment.runs.front().readings.front().covariates;
       for (std::size_t j = 0; j < arm.size(); ++j)
         size.moves[j] = size.moves[j] || std::abs(reading.rest[j] - experiment.runs.front().rest[j]) > 1e-3;
     }

@@ -42,6 +42,7 @@ struct CharacteristicScales {
   double torque = 0;                      ///< of a joint under a typical load, N m
   double mass = 0;                        ///< of the mean link, kg
   bool yields = false;                    ///< some joint or link yields
+  bool warms = false;                     ///< its temperature is noted, and changes
 
   /// Stiffness of a joint; for a passive joint the mean of the elastic ones.
   [[nodiscard]] double stiffness_at(std::size_t joint) const {

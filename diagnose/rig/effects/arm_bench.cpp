@@ -128,6 +128,15 @@ std::vector<Effect> mount() {
            },
        .add = [](const Addition& to) { to.rig.arm->mount_compliance += Vector2(to.value[0], to.value[1]); },
        .possible = points_are_read},
+      {.id = "thermal_expansion",
+       .words = "an arm that grows with its temperature",
+       .parameters =
+           [](const Place&) {
+             constexpr double steel = 1.2e-5;
+             return std::vector{both_ways("alpha", "1/K", steel, -100 * steel, 100 * steel)};
+           },
+       .add = [](const Addition& to) { to.rig.arm->expansion += to.value[0]; },
+       .possible = [](const Place& at) { return at.scales.warms && points_are_read(at); }},
   };
 }
 

@@ -121,6 +121,16 @@ TEST_CASE("slips in an arm's experiment are told in one line") {
   CHECK(complaint("place = 0.01", "place = 0").find("noise.place") != std::string::npos);
 }
 
+TEST_CASE("a temperature is the covariate of an arm, at every reading") {
+  const std::string rows = "weight\n0,0,0,550,0,400,0\n1,90,0,0,550,400,1.5\n";
+  const Experiment experiment =
+      read("", "", rows, "weight,temperature\n0,0,0,550,0,400,0,21.5\n1,90,0,0,550,400,1.5,23\n");
+  CHECK(experiment.covariates == std::vector<std::string>{"temperature"});
+  CHECK(experiment.runs[0].readings[1].covariates == std::vector{23.0});
+  CHECK(complaint("", "", rows, "weight,temperature\n0,0,0,550,0,400,0,\n1,90,0,0,550,400,1.5,23\n")
+            .find("an empty field, expected the temperature of every reading") != std::string::npos);
+}
+
 TEST_CASE("quaternions whose first number is x are asked about") {
   const std::string header = "q_command1,q_command2,tip_qw,tip_qx,tip_qy,tip_qz\n";
   CHECK_THROWS_WITH_AS(static_cast<void>(read("place = 0.01", "turn = 0.1", arm_table,

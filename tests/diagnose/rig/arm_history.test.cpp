@@ -176,3 +176,25 @@ TEST_CASE("a tilted mount turns the arm and not gravity; a tracker that is turne
   CHECK((one - other).norm() < 1e-5);  // the weight bends a tilted arm otherwise
   CHECK((one - other).norm() > 1e-9);
 }
+
+TEST_CASE("an arm that grows reaches out by its length, the rate and the warmth since the first reading") {
+  const auto with_temperatures = [](double last) {
+    Experiment experiment = commanded_bar(0, {0, 0, 0});
+    experiment.covariates = {"temperature"};
+    for (const std::size_t r : {0, 1, 2})
+      experiment.runs.front().readings[r].covariates = {20 + (last - 20) * static_cast<double>(r) / 2};
+    return experiment;
+  };
+  const auto is_possible = [](const Study& study) {
+    const std::vector<EffectAt> all = possible_effects(study);
+    return std::find(all.begin(), all.end(), EffectAt("thermal_expansion")) != all.end();
+  };
+  const Study study(with_temperatures(40));
+  const Prediction warm = predict(study, only("thermal_expansion"), {2e-5});
+  REQUIRE(warm.reached);
+  for (Eigen::Index r = 0; r < 3; ++r)
+    CHECK(place_of_tip(warm.runs[0], r).x() ==
+          doctest::Approx(1 + 2e-4 * static_cast<double>(r)).epsilon(1e-12));
+  CHECK(is_possible(study));
+  CHECK_FALSE(is_possible(Study(with_temperatures(20))));
+}
