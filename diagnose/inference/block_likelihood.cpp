@@ -80,7 +80,7 @@ void BlockLikelihood::lay_grid(double unit) {
     const double scale = scale_[static_cast<std::size_t>(k)];
     if (scale < 1) continue;
     log_nugget_(k) = -std::log(static_cast<double>(larger)) - log_scale_[static_cast<std::size_t>(k)];
-    nugget_size_(k) = std::sqrt(scale * scale - 1) / unit;
+    nugget_size_(k) = std::sqrt(scale * scale - 1);
   }
   const std::size_t scales = scale_.size();
   inverse_square_.resize(static_cast<Eigen::Index>(priors_.amplitude.size() * scales));

@@ -28,7 +28,7 @@ class BlockLikelihood {
     /// order of magnitude as probable.
     double log_nugget = 0;
     double nugget_size =
-        0;  ///< posterior mean of its size, over the root mean square of the nominal residual
+        0;  ///< posterior mean of its size, declared sigmas
     std::vector<std::vector<VectorXd>> log_cell;  ///< [correlation][length]: by amplitude and scale
     std::vector<MatrixXd> square;                 ///< [correlation]: whitened products
     std::vector<std::vector<MatrixXd>> rotated;   ///< [correlation][length]
@@ -86,7 +86,7 @@ class BlockLikelihood {
   std::vector<Eigen::Index> kept_;  ///< values that are no outliers
   std::vector<double> scale_, log_scale_;
   VectorXd log_nugget_;      ///< by scale: prior of the scale with a nugget over that of noise alone
-  VectorXd nugget_size_;     ///< by scale, over the root mean square of the nominal residual
+  VectorXd nugget_size_;     ///< by scale, declared sigmas
   VectorXd inverse_square_;  ///< by cell: 1 / s^2
   std::vector<Whitening> noise_;
   std::vector<std::vector<Rotation>> rotation_;  ///< [correlation][length]

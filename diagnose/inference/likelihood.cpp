@@ -11,9 +11,10 @@ namespace {
 
 using priors::outlier_share, priors::outlier_width;
 
-double root_mean_square(const VectorXd& residual, const Block& block, const NoiseShape& shape) {
+double root_mean_square(const VectorXd& residual, Eigen::Index first, Eigen::Index values,
+                        const NoiseShape& shape) {
   double sum = 0, count = 0;
-  for (Eigen::Index i = block.first; i < block.first + block.count; ++i)
+  for (Eigen::Index i = first; i < first + values; ++i)
     if (!shape.outlier[static_cast<std::size_t>(i)]) sum += residual(i) * residual(i), count += 1;
   constexpr double smallest = 1e-3;
   return std::max(smallest, std::sqrt(sum / std::max(1.0, count)));
@@ -53,10 +54,13 @@ std::vector<double> log_posterior(const std::vector<double>& log_likelihood,
 
 Likelihood::Likelihood(const Measurements& measurements, const CommandStates& states,
                        const Hyperpriors& priors, NoiseShape shape, const VectorXd& nominal_residual)
-    : measurements_(measurements), priors_(priors), shape_(std::move(shape)) {
+    : measurements_(measurements),
+      priors_(priors),
+      shape_(std::move(shape)),
+      nominal_size_(root_mean_square(nominal_residual, 0, nominal_residual.size(), shape_)) {
   for (const Block& block : measurements.blocks())
     blocks_.emplace_back(measurements, block, states, priors_, shape_,
-                         root_mean_square(nominal_residual, block, shape_));
+                         root_mean_square(nominal_residual, block.first, block.count, shape_));
   if (shape_.periodic.cols() > 0) periodic_.compute(weights(shape_).asDiagonal() * shape_.periodic);
 }
 
@@ -127,7 +131,7 @@ Look Likelihood::look(const VectorXd& residual, const MatrixXd& jacobian) const 
   const double any = log_sum(as_vector(nugget));
   result.log_nugget = result.log_by_amplitude.front() + any - std::log(static_cast<double>(nugget.size()));
   for (const BlockLikelihood::Look& one : blocks)
-    result.nugget_size += std::exp(one.log_nugget - any) * one.nugget_size;
+    result.nugget_size += std::exp(one.log_nugget - any) * one.nugget_size / nominal_size_;
   std::vector<double> joint(result.log_by_amplitude.size());
   for (std::size_t a = 0; a < joint.size(); ++a)
     joint[a] = result.log_by_amplitude[a] + priors_.log_amplitude[a];

@@ -20,7 +20,7 @@ struct Look {
   /// Log likelihood with a nugget in one channel, whichever: a discrepancy that no function of the command
   /// describes.
   double log_nugget = 0;
-  double nugget_size = 0;  ///< of that nugget, over the root mean square of the channel's nominal residual
+  double nugget_size = 0;  ///< of that nugget, over the root mean square of the nominal residual
 };
 
 /// Posterior means of discrepancy and noise where a model leaves a residual.
@@ -66,6 +66,7 @@ class Likelihood {
   const Measurements& measurements_;
   Hyperpriors priors_;
   NoiseShape shape_;
+  double nominal_size_;  ///< root mean square of the nominal residual, declared sigmas
   Eigen::ColPivHouseholderQR<MatrixXd> periodic_;  ///< over the noise, outliers zero
   std::vector<BlockLikelihood> blocks_;
 };

@@ -116,7 +116,7 @@ def experiments(folder):
     units(folder)
     columns, required = documented(EXPERIMENTS, "Sample files")
     plain = changed("[[run]]", lambda run: run.pop("columns"))
-    plain.pop("columns")
+    plain.pop("columns"), plain.pop("load")
     header = re.findall(r"'(t,[^']*)'", experiment_fault(folder, plain, "zz\n0\n"))
     assert set(header[0].split(",")) == required, header
     assert {name for name in header[1].split(",") if name != "q2"} == columns, header

@@ -127,8 +127,10 @@ TEST_CASE("a temperature is the covariate of an arm, at every reading") {
       read("", "", rows, "weight,temperature\n0,0,0,550,0,400,0,21.5\n1,90,0,0,550,400,1.5,23\n");
   CHECK(experiment.covariates == std::vector<std::string>{"temperature"});
   CHECK(experiment.runs[0].readings[1].covariates == std::vector{23.0});
-  CHECK(complaint("", "", rows, "weight,temperature\n0,0,0,550,0,400,0,\n1,90,0,0,550,400,1.5,23\n")
-            .find("an empty field, expected the temperature of every reading") != std::string::npos);
+  CHECK_THROWS_WITH_AS(
+      static_cast<void>(
+          read("", "", rows, "weight,temperature\n0,0,0,550,0,400,0,\n1,90,0,0,550,400,1.5,23\n")),
+      doctest::Contains("an empty field, expected the temperature of every reading"), Error);
 }
 
 TEST_CASE("quaternions whose first number is x are asked about") {

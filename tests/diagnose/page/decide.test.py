@@ -161,9 +161,9 @@ class Block:
 
 
     def size_of_nugget(self, grid):
-        """Its posterior mean, over the root mean square of the nominal residual."""
+        """Its posterior mean, in declared sigmas."""
         weight = np.exp(grid[:, 0] + self.nugget - log_sum(grid[:, 0] + self.nugget)).sum(0)
-        return weight @ np.sqrt(np.maximum(self.scale**2 - 1, 0)) / self.unit
+        return weight @ np.sqrt(np.maximum(self.scale**2 - 1, 0))
 
 
 class Likelihood:
@@ -172,6 +172,7 @@ class Likelihood:
         states = States(data["runs"])
         self.blocks = [Block(data, states, *b) for b in data["blocks"]]
         self.outlier = np.array(data["outlier"])
+        self.gap = max(1e-3, np.sqrt(np.mean(np.array(data["nominal"])[~self.outlier] ** 2)))
         periodic = np.array(data["periodic"]).reshape(-1, len(self.outlier)).T
         self.periodic, self.weight = periodic, np.where(self.outlier, 0, 1 / np.array(data["relative"]))
 
@@ -182,7 +183,7 @@ class Likelihood:
         by_amplitude = sum(np.array([log_sum(g[:, a]) for a in range(len(AMPLITUDE))]) for g in grids)
         nugget = np.array([log_sum(g[:, 0] + b.nugget) - log_sum(g[:, 0]) for b, g in zip(self.blocks, grids)])
         share = np.exp(log_normalised(nugget))
-        size = sum(w * b.size_of_nugget(g) for w, b, g in zip(share, self.blocks, grids))
+        size = sum(w * b.size_of_nugget(g) for w, b, g in zip(share, self.blocks, grids)) / self.gap
         nugget = (by_amplitude[0] + log_sum(nugget) - np.log(len(nugget)), size)
         posterior = log_normalised(by_amplitude + LOG_LISTED)
         information, gradient = np.zeros((jacobian.shape[1],) * 2), np.zeros(jacobian.shape[1])
