@@ -178,7 +178,7 @@ def bending(truth, shape, place, amount, random):
 
 
 def gas_spring(truth, shape, place, amount, random):
-    """From the base to the second link, preloaded by the amount, with a force that falls by half over its stroke."""
+    """From the first link to the second, preloaded by the amount, with a force that falls by half over its stroke."""
     reach = shape.length
     stiffness = 0.5 * amount / (0.3 * reach)
     truth.gas_spring = (stiffness, amount / stiffness + 0.3 * reach, (-0.1 * reach, 0.05 * reach, 0.12 * reach), 1,

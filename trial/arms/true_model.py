@@ -30,8 +30,6 @@ def document(shape, truth):
              f'<body name="base" pos="{text(truth.base_shift)}" quat="{text(quaternion(base))}">']
     lines += [fine_joint(f"base_{a}", "hinge", np.eye(3)[a], 1 / c) for a, c in enumerate(truth.base_compliance) if c > 0]
     lines.append('<inertial pos="0 0 0" mass="1e-6" diaginertia="1e-6 1e-6 1e-6"/>')
-    if truth.gas_spring:
-        lines.append(f'<site name="gas_base" pos="{text(truth.gas_spring[2])}"/>')
     bodies = 1
     for i in range(shape.size):
         lines += link_body(shape, truth, i)
@@ -66,6 +64,8 @@ def link_body(shape, truth, i):
     lines = [f'<body name="link_{i + 1}" pos="{text(start)}" quat="{text(quaternion(turn))}">',
              f'<inertial pos="{text(np.array(link.centre) + truth.centre[i])}" mass="{mass:.12g}" diaginertia="{text([inertia(link)] * 3)}"/>']
     lines.append(f'<joint name="{link.joint}" type="{link.kind}" axis="{text(link.axis)}"{friction}/>')
+    if i == 0 and truth.gas_spring:  # its bracket turns with the column
+        lines.append(f'<site name="gas_base" pos="{text(turn.T @ (np.array(truth.gas_spring[2]) - start))}"/>')
     for name, point in anchors(truth, i):
         lines.append(f'<site name="{name}" pos="{text(point)}"/>')
     return lines

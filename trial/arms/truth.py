@@ -39,7 +39,7 @@ class Truth:
     payload: float = 0.0  # kg at the measured point, beside the weights in the table
     loose_flange: float = 0.0  # half the angle by which the tool tips, about the last link's y axis
     # other bodies
-    gas_spring: tuple = ()  # stiffness, free length, point of the base, link, point of the link: it pushes
+    gas_spring: tuple = ()  # stiffness, free length, point of the first link, where it is in the base at rest, link, point of the link: it pushes
     cable: tuple = ()  # the same between the world and a link: it only pulls
     floor: tuple = ()  # height, stiffness: it holds up the measured point
     # what changes from reading to reading: a share of the whole change, by reading
