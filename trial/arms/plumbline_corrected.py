@@ -18,14 +18,17 @@ def run(program, *words):
 
 
 def plumbline_blames_and_errors(program, folder, later_folder, later):
-    """Error at the later poses in standard deviations of the tracker, and the causes named. Without a corrected model: no error."""
+    """Error at the later poses in standard deviations of the tracker, and the causes named. Of several corrected models the
+    first counts; without one the nominal model stays."""
     with tempfile.TemporaryDirectory() as scratch:
         scratch = pathlib.Path(scratch)
         try:
             run(program, folder, "--json", scratch / "report.json", "--corrected", scratch / "model.toml")
-            cause = json.loads((scratch / "report.json").read_text())["cause"]
+            report = json.loads((scratch / "report.json").read_text())
+            cause, corrected = report["cause"], report.get("corrected") or []
             named = [cause["verdict"]] + [key(effect) for effect in cause["effects"]]
-            run(program, later_folder, "--model", scratch / "model.toml", "--json", scratch / "later.json")
+            model = ["--model", scratch / pathlib.Path(corrected[0]["file"]).name] if corrected else []
+            run(program, later_folder, *model, "--json", scratch / "later.json")
             gap = json.loads((scratch / "later.json").read_text())["gap"]
         except (RuntimeError, OSError, subprocess.TimeoutExpired) as error:
             return None, [str(error)]
