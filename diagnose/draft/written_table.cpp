@@ -91,6 +91,20 @@ bool is_row(const std::vector<std::string>& fields, char decimal) {
   return numbers > 0 && 2 * numbers >= static_cast<std::ptrdiff_t>(fields.size());
 }
 
+/// Fields of the line that names the columns, where a last column has a name and few values.
+/// \param counts  rows by their number of fields, empty ones at the end not counted
+std::size_t named_columns(const std::vector<Line>& lines, const Cut& cut,
+                          const std::vector<std::size_t>& counts) {
+  if (cut.delimiter == ' ') return cut.columns;
+  for (const Line& line : lines) {
+    const std::vector<std::string> all = fields_of(line.text, cut.delimiter);
+    if (line.comment) continue;
+    if (is_row(all, cut.decimal)) break;
+    if (all.size() > cut.columns && all.size() < counts.size() && counts[all.size()] > 0) return all.size();
+  }
+  return cut.columns;
+}
+
 Cut cut(const std::vector<Line>& lines, char delimiter, char decimal) {
   Cut result{delimiter, decimal};
   std::vector<std::size_t> counts(1);
@@ -104,6 +118,7 @@ Cut cut(const std::vector<Line>& lines, char delimiter, char decimal) {
     ++counts[all.size()];
   }
   result.columns = static_cast<std::size_t>(std::max_element(counts.begin(), counts.end()) - counts.begin());
+  result.columns = named_columns(lines, result, counts);
   result.first_row = lines.size();
   double numbers = 0;
   for (std::size_t l = 0; l < lines.size(); ++l) {

@@ -63,7 +63,7 @@ void ArmTraveller::head_for(const Reading& reading) {
   if (!reading.wrench.empty()) {
     const Vector6<double> wrench =
         (Eigen::Map<const Vector6<double>>(reading.wrench.data()) - rig.wrench_bias) / (1 + rig.wrench_scale);
-    wrenches_.push_back({rig.load, wrench.head<3>(), wrench.tail<3>()});
+    wrenches_.push_back({expanded(rig.load), wrench.head<3>(), wrench.tail<3>()});
   }
   hold_weight();
 }
@@ -72,13 +72,18 @@ void ArmTraveller::expand(const Reading& reading) {
   const double rate = on_.rig.arm->expansion;
   if (rate == 0) return;
   const double first = experiment_->runs.front().readings.front().covariates.front();
-  const double growth = 1 + rate * (reading.covariates.front() - first);
+  growth_ = 1 + rate * (reading.covariates.front() - first);
   const SerialArm<double>& cold = on_.rig.arm->arm;
   for (std::size_t i = 0; i < arm_.size(); ++i) {
-    arm_.links[i].frame.translation() = growth * cold.links[i].frame.translation();
-    arm_.links[i].centre = growth * cold.links[i].centre;
+    arm_.links[i].frame.translation() = growth_ * cold.links[i].frame.translation();
+    arm_.links[i].centre = growth_ * cold.links[i].centre;
   }
-  arm_.tip.translation() = growth * cold.tip.translation();
+  arm_.tip.translation() = growth_ * cold.tip.translation();
+}
+
+OnLink<double> ArmTraveller::expanded(OnLink<double> at) const {
+  at.frame.translation() *= growth_;
+  return at;
 }
 
 /// The servos know the nominal weight of the arm as it is commanded.
@@ -253,7 +258,7 @@ void ArmTraveller::write(const Reading& reading, Eigen::Ref<Eigen::ArrayXd> row)
     row(column_of({Channel::Name::q, i})) = (1 + rig.angle_scale[i]) * q + rig.angle_bias[i];
   }
   for (std::size_t p = 0; p < rig.points.size() && !reading.points.empty(); ++p) {
-    const Pose<double> seen = rig.tracker.inverse() * posture.of(rig.points[p]);
+    const Pose<double> seen = rig.tracker.inverse() * posture.of(expanded(rig.points[p]));
     const Vector3<double> place = (1 + rig.tracker_scale) * seen.translation();
     for (std::size_t axis = 0; axis < 3; ++axis)
       row(column_of({Channel::Name::place, 3 * p + axis})) = place(static_cast<Eigen::Index>(axis));

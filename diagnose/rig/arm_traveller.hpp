@@ -35,6 +35,8 @@ class ArmTraveller {
  private:
   /// Lengthens the arm by the temperature of a reading.
   void expand(const Reading& reading);
+  /// A place on a link at that temperature.
+  [[nodiscard]] OnLink<double> expanded(OnLink<double> at) const;
   void hold_weight();
   /// Loads at a posture: of gravity, wrenches and balances, less what the servos hold.
   [[nodiscard]] ArmLoads<double> loads(const ArmPosture<double>& posture) const;
@@ -57,6 +59,7 @@ class ArmTraveller {
   const Experiment* experiment_;
   RunRig on_;
   SerialArm<double> arm_;            ///< at its temperature, on its mount as it yields
+  double growth_ = 1;                ///< of its lengths
   std::vector<Eigen::Index> joint_;  ///< their freedoms
   Matrix<double> compliance_;        ///< of all freedoms; zero for joints with a law
   std::size_t sliders_;              ///< of each joint
