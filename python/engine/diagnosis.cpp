@@ -16,6 +16,8 @@
 #include "python/engine/engine.hpp"
 #include "support/files/experiment_files.hpp"
 #include "support/files/sha256.hpp"
+#include "support/files/text_file.hpp"
+#include "support/files/toml_file.hpp"
 #include "support/page/provenance.hpp"
 
 namespace plumbline::python {
@@ -88,6 +90,20 @@ std::optional<NominalChain> model_of(const std::string& file) {
   return exchange::read_model(file).chain;
 }
 
+/// Reads what `arm.model` names.
+diagnose::NominalArm arm_in(const std::string& file, const std::string& base, const std::string& tip) {
+  return exchange::read_arm(file, {base, tip}).nominal;
+}
+
+/// The file of the nominal model: the one that is given, or that an experiment names for its arm; empty
+/// without one.
+/// \param folder  of the experiment; empty of one in memory
+std::filesystem::path source_of(const toml::table& settings, const std::filesystem::path& folder,
+                                const std::string& model) {
+  const auto named = settings["arm"]["model"].value<std::string>();
+  return model.empty() && named ? folder / *named : std::filesystem::path(model);
+}
+
 /// \param read_with  one of the readers of experiments in memory
 template <class Read>
 Experiment experiment_of(const py::dict& settings, const std::vector<Samples>& samples,
@@ -126,11 +142,50 @@ auto reporting(const py::object& progress) {
   };
 }
 
+/// Poses of an arm are no path: each stands by the number that it was taken as, from 0.
+diagnose::Command by_reading(const diagnose::Run& run) {
+  diagnose::Command command{{}, "reading", 0};
+  for (std::size_t r = 0; r < run.readings.size(); ++r)
+    command.along.push_back(static_cast<double>(run.first_taken(r)));
+  return command;
+}
+
+/// A joint that slides has a place and a force for its angle and its torque.
+std::string unit_of(const diagnose::Channel& channel, const Experiment& experiment) {
+  using Name = diagnose::Channel::Name;
+  const bool of_joint = channel.name == Name::q || channel.name == Name::drive;
+  const bool slides =
+      experiment.arm && of_joint && experiment.arm->arm.links[channel.joint].kind == JointKind::prismatic;
+  if (slides) return channel.name == Name::q ? "m" : "N";
+  return std::string(channel.unit());
+}
+
+/// A measured series beside what the nominal and the corrected model say.
+py::dict curve_of(const diagnose::Series& series, const diagnose::Explained& seen) {
+  const diagnose::Run& run = seen.experiment.runs[series.run];
+  const diagnose::Command command = seen.experiment.arm ? by_reading(run) : command_of(run);
+  const Eigen::Index column = diagnose::column_of(series.channel);
+  std::vector<double> along, measured, nominal, corrected;
+  for (const std::size_t r : series.readings) {
+    const auto row = static_cast<Eigen::Index>(r);
+    along.push_back(command.along[r]);
+    measured.push_back(series.channel.of(run.readings[r]));
+    nominal.push_back(seen.nominal.runs[series.run](row, column));
+    corrected.push_back(seen.corrected.runs[series.run](row, column));
+  }
+  py::dict one;
+  one["run"] = run.id, one["channel"] = series.channel.label();
+  one["unit"] = unit_of(series.channel, seen.experiment), one["command"] = command.label;
+  one["along"] = array_of(along), one["measured"] = array_of(measured);
+  one["nominal"] = array_of(nominal), one["corrected"] = array_of(corrected), one["model"] = seen.model;
+  return one;
+}
+
 /// A diagnosis and what it is about.
 class Diagnosed {
  public:
   /// \param model  the file that the nominal chain was read from; or empty
-  Diagnosed(Experiment experiment, const Wish& wish, page::Provenance from, std::string model)
+  Diagnosed(Experiment experiment, const Wish& wish, page::Provenance from, std::filesystem::path model)
       : from_(std::move(from)), model_(std::move(model)), study_(study_of(std::move(experiment), wish)) {
     const py::gil_scoped_release released;
     diagnosis_ = diagnose::diagnose(*study_, reporting(wish.progress), wish.next);
@@ -159,25 +214,7 @@ class Diagnosed {
   [[nodiscard]] py::list curves() const {
     const diagnose::Explained seen(*study_, *diagnosis_);
     py::list all;
-    for (const diagnose::Series& series : seen.measurements.series()) {
-      const diagnose::Run& run = seen.experiment.runs[series.run];
-      const diagnose::Command command = command_of(run);
-      const Eigen::Index column = diagnose::column_of(series.channel);
-      std::vector<double> along, measured, nominal, corrected;
-      for (const std::size_t r : series.readings) {
-        const auto row = static_cast<Eigen::Index>(r);
-        along.push_back(command.along[r]);
-        measured.push_back(series.channel.of(run.readings[r]));
-        nominal.push_back(seen.nominal.runs[series.run](row, column));
-        corrected.push_back(seen.corrected.runs[series.run](row, column));
-      }
-      py::dict one;
-      one["run"] = run.id, one["channel"] = series.channel.label();
-      one["unit"] = std::string(series.channel.unit()), one["command"] = command.label;
-      one["along"] = array_of(along), one["measured"] = array_of(measured);
-      one["nominal"] = array_of(nominal), one["corrected"] = array_of(corrected), one["model"] = seen.model;
-      all.append(one);
-    }
+    for (const diagnose::Series& series : seen.measurements.series()) all.append(curve_of(series, seen));
     return all;
   }
 
@@ -190,14 +227,14 @@ class Diagnosed {
   }
 
   page::Provenance from_;
-  std::string model_;
+  std::filesystem::path model_;
   std::unique_ptr<const Study> study_;
   std::optional<diagnose::Diagnosis> diagnosis_;
 };
 
 /// Of arrays the digest is that of their decimals.
 page::Provenance provenance(const char* function, const py::dict& settings,
-                            const std::vector<Samples>& samples, const std::string& model,
+                            const std::vector<Samples>& samples, const std::filesystem::path& model,
                             const std::string& effects) {
   std::ostringstream text;
   text << as_toml(settings);
@@ -207,7 +244,7 @@ page::Provenance provenance(const char* function, const py::dict& settings,
       for (py::ssize_t row = 0; row < values.size(); ++row)
         text << "," << fmt::format("{}", values.data()[row]);
     }
-  for (const std::string& file : {model, effects})
+  for (const std::filesystem::path& file : {model, std::filesystem::path(effects)})
     if (!file.empty()) text << "\n" << files::sha256(std::vector<std::filesystem::path>{file});
   return {program, fmt::format("plumbline.{}(…)", function), files::sha256(text.str())};
 }
@@ -221,7 +258,13 @@ page::Provenance provenance(const std::string& folder, const std::string& model,
 
 Experiment experiment_in(const std::string& folder, const std::string& model) {
   const std::optional<NominalChain> nominal = model_of(model);
-  return diagnose::read_experiment(folder, nominal ? &*nominal : nullptr);
+  return diagnose::read_experiment(folder, nominal ? &*nominal : nullptr, arm_in);
+}
+
+/// \pre the experiment was read
+std::filesystem::path source_in(const std::filesystem::path& folder, const std::string& model) {
+  const std::filesystem::path settings = folder / "experiment.toml";
+  return source_of(files::parse_toml(files::read_text(settings), settings.string()), folder, model);
 }
 
 /// \param samples  of those runs alone whose settings have the key `samples`
@@ -250,13 +293,15 @@ void add_diagnosis(py::module_& module) {
       "diagnose",
       [](const py::dict& settings, const std::vector<Samples>& samples, const std::string& model,
          std::string effects, bool next, bool as_is, py::object progress) {
-        page::Provenance from = provenance("diagnose", settings, samples, model, effects);
+        const std::filesystem::path source = source_of(as_toml(settings), {}, model);
+        const char* const function = settings.contains("arm") ? "diagnose_arm" : "diagnose";
+        page::Provenance from = provenance(function, settings, samples, source, effects);
         Experiment experiment = experiment_of(settings, samples, model, [](const auto&... given) {
-          return diagnose::read_experiment(given...);
+          return diagnose::read_experiment(given..., arm_in);
         });
         return std::make_unique<Diagnosed>(std::move(experiment),
                                            Wish{std::move(effects), next, as_is, std::move(progress)},
-                                           std::move(from), model);
+                                           std::move(from), source);
       },
       "settings"_a, "samples"_a, py::kw_only(), "model"_a, "effects"_a, "next"_a, "as_is"_a, "progress"_a);
   module.def("plan", &plan, "settings"_a, "samples"_a, py::kw_only(), "model"_a, "effects"_a, "progress"_a);
@@ -265,9 +310,10 @@ void add_diagnosis(py::module_& module) {
       [](const std::string& folder, const std::string& model, std::string effects, bool next, bool as_is,
          py::object progress) {
         page::Provenance from = provenance(folder, model, effects);
-        return std::make_unique<Diagnosed>(experiment_in(folder, model),
+        Experiment experiment = experiment_in(folder, model);
+        return std::make_unique<Diagnosed>(std::move(experiment),
                                            Wish{std::move(effects), next, as_is, std::move(progress)},
-                                           std::move(from), model);
+                                           std::move(from), source_in(folder, model));
       },
       "folder"_a, py::kw_only(), "model"_a, "effects"_a, "next"_a, "as_is"_a, "progress"_a);
 }

@@ -1,3 +1,5 @@
+#include <array>
+
 #include "diagnose/draft/draft.hpp"
 #include "diagnose/exchange/read_model.hpp"
 #include "python/engine/engine.hpp"
@@ -18,6 +20,60 @@ py::dict chain_of(const std::string& file, const std::vector<std::string>& joint
   chain["joints"] = read.names;
   chain["notes"] = read.notes;
   return chain;
+}
+
+template <std::size_t count>
+using Row = std::array<double, count>;
+
+Row<3> row_of(const Vector3<double>& vector) {
+  return {vector.x(), vector.y(), vector.z()};
+}
+
+/// Its matrix of four by four, row by row.
+Row<16> row_of(const Pose<double>& pose) {
+  Row<16> row{};
+  Eigen::Map<Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(row.data()) = pose.matrix();
+  return row;
+}
+
+py::array matrices(const std::vector<Row<16>>& rows) {
+  return table_of(rows, 16).reshape({static_cast<py::ssize_t>(rows.size()), py::ssize_t{4}, py::ssize_t{4}});
+}
+
+py::array matrix(const Pose<double>& pose) {
+  return table_of(std::vector{row_of(pose)}, 16).reshape({py::ssize_t{4}, py::ssize_t{4}});
+}
+
+/// Numbers of the arm's links, a row each.
+void put_links(const SerialArm<double>& arm, py::dict& all) {
+  std::vector<std::string> kinds;
+  std::vector<double> stiffness, masses;
+  std::vector<Row<3>> axes, centres;
+  std::vector<Row<16>> frames;
+  for (const ArmLink<double>& link : arm.links) {
+    kinds.emplace_back(link.kind == JointKind::prismatic ? "prismatic" : "revolute");
+    stiffness.push_back(link.joint_compliance > 0 ? 1 / link.joint_compliance : 0);
+    masses.push_back(link.mass);
+    axes.push_back(row_of(link.axis)), centres.push_back(row_of(link.centre));
+    frames.push_back(row_of(link.frame));
+  }
+  all["kinds"] = kinds, all["frames"] = matrices(frames), all["axes"] = table_of(axes, 3);
+  all["stiffness"] = array_of(stiffness), all["masses"] = array_of(masses);
+  all["centres"] = table_of(centres, 3);
+}
+
+py::dict arm_of(const std::string& file, const std::string& base, const std::string& tip) {
+  const exchange::SpatialArm read = unlocked([&] { return exchange::read_arm(file, {base, tip}); });
+  const diagnose::NominalArm& nominal = read.nominal;
+  py::dict all;
+  all["base"] = nominal.base, all["tip"] = nominal.tip;
+  all["joints"] = nominal.joint, all["links"] = nominal.link;
+  put_links(nominal.arm, all);
+  all["limits"] = table_of(nominal.limits, 2), all["friction"] = array_of(read.friction);
+  all["gravity"] = array_of({nominal.arm.gravity.begin(), nominal.arm.gravity.end()});
+  all["base_frame"] = matrix(nominal.arm.base), all["tip_frame"] = matrix(nominal.arm.tip);
+  all["notes"] = read.notes;
+  return all;
 }
 
 py::dict draft_of(const std::string& name, const std::string& file, const std::vector<std::string>& joints,
@@ -46,6 +102,7 @@ py::dict draft_of(const std::string& name, const std::string& file, const std::v
 void add_models(py::module_& module) {
   using namespace py::literals;
   module.def("chain", &chain_of, "file"_a, "joints"_a);
+  module.def("arm", &arm_of, "file"_a, "base"_a, "tip"_a);
   module.def("draft", &draft_of, "name"_a, "model"_a, "joints"_a, "tables"_a);
 }
 

@@ -13,7 +13,8 @@ if int(_numpy.__version__.split(".")[0]) > _newest_numpy:
     raise ImportError(f"plumbline: found NumPy {_numpy.__version__}, expected NumPy {_newest_numpy}: the engine was built with "
                       "pybind11 before 2.12; build it with a later one (pip install pybind11)")
 
-from plumbline.diagnosis import CorrectedModel, Curve, Diagnosis, diagnose, diagnose_folder, plan
+from plumbline.arms import Arm, read_arm
+from plumbline.diagnosis import CorrectedModel, Curve, Diagnosis, diagnose, diagnose_arm, diagnose_folder, plan
 from plumbline.loaded import (Branch, Equilibria, Path, Points, Proof, equilibria, equilibria_certificate, path,
                               path_certificate)
 from plumbline.models import Draft, Guess, NominalChain, draft, read_chain
@@ -24,10 +25,10 @@ from plumbline.structures import (Chain, StabilityLoss, critical_factors, stabil
                                   structure_equilibria, structure_path)
 
 __all__ = [
-    "Branch", "Chain", "CorrectedModel", "Curve", "Diagnosis", "Draft", "Equilibria", "Error", "Guess", "Modes", "NominalChain",
-    "Path", "Points", "Proof", "StabilityLoss", "__version__", "check", "check_experiment", "critical_certificate",
-    "critical_factors", "critical_forces", "critical_modes", "diagnose", "diagnose_folder", "diagnose_folders", "draft",
-    "equilibria", "equilibria_certificate", "figure", "lowest_critical_forces", "path", "path_certificate", "plan",
-    "plan_folder", "read_chain", "read_recording", "reference", "stability_loss", "structure_certificate",
-    "structure_equilibria", "structure_path", "trial", "verify",
+    "Arm", "Branch", "Chain", "CorrectedModel", "Curve", "Diagnosis", "Draft", "Equilibria", "Error", "Guess", "Modes",
+    "NominalChain", "Path", "Points", "Proof", "StabilityLoss", "__version__", "check", "check_experiment",
+    "critical_certificate", "critical_factors", "critical_forces", "critical_modes", "diagnose", "diagnose_arm",
+    "diagnose_folder", "diagnose_folders", "draft", "equilibria", "equilibria_certificate", "figure",
+    "lowest_critical_forces", "path", "path_certificate", "plan", "plan_folder", "read_arm", "read_chain", "read_recording",
+    "reference", "stability_loss", "structure_certificate", "structure_equilibria", "structure_path", "trial", "verify",
 ]

@@ -5,7 +5,7 @@ import html
 import json
 import os
 import pathlib
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -13,6 +13,7 @@ import numpy as np
 
 from plumbline import _engine
 from plumbline._engine import Error
+from plumbline.arms import Arm
 from plumbline.models import Model, ModelFile, NominalChain, PathLike
 from plumbline.numbers import Floats, doubles
 from plumbline.progress import Progress, shown
@@ -27,10 +28,10 @@ class Curve:
     """One measured channel of one run beside what the models say."""
 
     run: str
-    channel: str  #: "Fx", or "q3"
+    channel: str  #: "Fx", or "q3"; of an arm in space "z1" and "rz1" of its first point, or "torque3"
     unit: str
-    command: str  #: what `along` is: "end point moved along −x, m"
-    along: Floats  #: of the command, by reading
+    command: str  #: what `along` is: "end point moved along −x, m"; of an arm in space, whose poses are no path, "reading"
+    along: Floats  #: of the command, by reading; or the numbers of the readings as they were taken, from 0
     measured: Floats
     nominal: Floats
     corrected: Floats
@@ -99,17 +100,18 @@ class Diagnosis:
         """The nominal model with what was found: one where the cause is identified, one a candidate where it is ambiguous.
 
         :param format: "toml" (ours), "xml" (MJCF), "urdf" or "sdf". A model that was read from a file of that format is
-            edited: what the cause does not ask for stays as it is
+            edited: what the cause does not ask for stays as it is. Of an arm in space "toml", or that of its file
         """
         return [CorrectedModel(*one) for one in self._found.corrected("." + format.lstrip("."))]
 
     def plot(self, *, run: str | None = None, channel: str | None = None,
              axes: Sequence[matplotlib.axes.Axes] | None = None) -> matplotlib.figure.Figure:
-        """Measured, nominal and corrected, a panel for each channel of each run; the title says what was found.
+        """Measured, nominal and corrected, a row of panels for each run; the title says what was found. Of an arm in
+        space, whose gap is small beside the way between its poses: measured less nominal, and less corrected.
 
         :param run: this one alone
         :param channel: this one alone, such as "Fx"
-        :param axes: panels of your own, as many as there are curves; without them a figure is made
+        :param axes: panels of your own, for the curves in their order; without them a figure is made
         """
         import matplotlib.pyplot
         curves = [curve for curve in self.curves() if run in (None, curve.run) and channel in (None, curve.channel)]
@@ -118,6 +120,7 @@ class Diagnosis:
                         + ", ".join(f"{curve.run}: {curve.channel}" for curve in self.curves()))
         if axes is None:
             rows = list(dict.fromkeys(curve.run for curve in curves))
+            curves.sort(key=lambda curve: rows.index(curve.run))
             columns = max(sum(curve.run == row for curve in curves) for row in rows)
             figure, panels = matplotlib.pyplot.subplots(len(rows), columns, squeeze=False, layout="constrained",
                                                         figsize=(4.5 * columns, 3 * len(rows) + 0.4))
@@ -128,14 +131,11 @@ class Diagnosis:
                 panel.set_visible(any(panel is one for one in axes))
         elif len(axes) != len(curves):
             raise Error(f"plot: found {len(axes)} axes, expected {len(curves)}, one for each curve")
+        draw = _draw_residuals if "joint_names" in self.report else _draw_curve
         for curve, panel in zip(curves, axes):
-            panel.plot(curve.along, curve.nominal, color="0.65", linewidth=3, solid_capstyle="round", label="nominal model")
-            if curve.model != "nominal model":
-                panel.plot(curve.along, curve.corrected, color="C0", label=curve.model)
-            panel.plot(curve.along, curve.measured, ".", color="black", markersize=3.5, label="measured")
+            draw(curve, panel)
             panel.set_title(f"{curve.run}: {curve.channel}", fontsize="medium")
             panel.set_xlabel(curve.command)
-            panel.set_ylabel(f"{curve.channel}, {curve.unit}")
         axes[0].legend(fontsize="small")
         whole = axes[0].get_figure()
         assert whole is not None
@@ -147,6 +147,22 @@ class Diagnosis:
                            for effect in report["cause"]["effects"])
         verdict = "no gap" if self.verdict == "none" else self.verdict
         return f"{report['experiment']}: {verdict}" + (f", {names}" if names else "")
+
+
+def _draw_curve(curve: Curve, panel: matplotlib.axes.Axes) -> None:
+    panel.plot(curve.along, curve.nominal, color="0.65", linewidth=3, solid_capstyle="round", label="nominal model")
+    if curve.model != "nominal model":
+        panel.plot(curve.along, curve.corrected, color="C0", label=curve.model)
+    panel.plot(curve.along, curve.measured, ".", color="black", markersize=3.5, label="measured")
+    panel.set_ylabel(f"{curve.channel}, {curve.unit}")
+
+
+def _draw_residuals(curve: Curve, panel: matplotlib.axes.Axes) -> None:
+    panel.axhline(0, color="0.85", linewidth=1)
+    panel.plot(curve.along, curve.measured - curve.nominal, "o", color="0.65", markersize=4, label="nominal model")
+    if curve.model != "nominal model":
+        panel.plot(curve.along, curve.measured - curve.corrected, ".", color="C0", label=curve.model)
+    panel.set_ylabel(f"{curve.channel}, measured less model, {curve.unit}")
 
 
 def diagnose(nominal: Mapping[str, Any] | NominalChain | Model, runs: Sequence[Mapping[str, Any]], *,
@@ -176,15 +192,45 @@ def diagnose(nominal: Mapping[str, Any] | NominalChain | Model, runs: Sequence[M
     :raises Error: for what the format refuses, with the key or the run and reading
     """
     settings = _settings(nominal, runs, noise, bench, loads, units, columns, name)
-    samples = []
-    for number, run in enumerate(settings["run"], 1):
-        place = f"experiment: run[{number}].samples"
-        if "samples" not in run:
-            raise Error(f"{place}: found no such key, expected columns of readings")
-        samples.append(_columns(run.pop("samples"), place))
+    samples = _samples(settings["run"])
     model = ModelFile(None if "nominal" in settings else nominal)
     return Diagnosis(_engine.diagnose(_plain(settings), samples, model=model.path, effects=_file(effects), next=next,
                                       as_is=as_is, progress=shown(progress)), model)
+
+
+def diagnose_arm(arm: Mapping[str, Any] | Arm | Model, runs: Sequence[Mapping[str, Any]], *, noise: Mapping[str, float],
+                 points: Sequence[Mapping[str, Any]] = (), load: Mapping[str, Any] | None = None,
+                 units: Mapping[str, str] | None = None, columns: Mapping[str, Any] | None = None, name: str = "experiment",
+                 effects: PathLike | None = None, next: bool = False, as_is: bool = False,
+                 progress: Progress = True) -> Diagnosis:
+    """Diagnoses an arm in space by poses at rest that are in memory. Keys, units and rules are those of docs/arms.md.
+
+    :param arm: the nominal arm: the model of a simulator (a file: URDF, MJCF, SDF, or a `mujoco.MjSpec`); or the keys of
+        the table [arm], of which `model` is such a model; or what `read_arm` gave, joint by joint
+    :param runs: each with `id`, `loaded_by` ("servo" where a sensor read the loads) and `samples`: a mapping of columns to
+        arrays, or a DataFrame, with `q_command1` …, for a point `ball` `ball_x` … and `ball_rx` … or `ball_qw` …, where
+        taken `t`, `q1` …, `weight` or `Fx` … `Mz`, `torque1` …, `temperature`; NaN where nothing was measured
+    :param noise: standard deviation of a reading: `place`, `turn`, `q`, `torque`
+    :param points: what the tracker sees, each with `name`, and where it has them `body`, `offset` and `rpy`; without any the
+        point `tip`
+    :param load: where weights hang or forces act: `body`, `offset`; without it the tip
+    :param units: what all columns of a kind share where they are not SI, and `noise` with them: `place`, `angle`, `force`,
+        `torque`, `mass`
+    :param columns: `ignore`: the names of those that are left out, whatever they hold
+    :param effects: a file with effects of your own
+    :param next: propose the next poses even where the cause is clear
+    :param as_is: take the numbers as they stand, even where they look like another unit, axis or numbering
+    :param progress: as for `diagnose`
+    :raises Error: for what the format refuses, with the key or the run and reading
+    """
+    settings = _settings(None, runs, noise, None, (), units, columns, name)
+    settings["arm"] = _arm(arm, points, load)
+    model = ModelFile(settings["arm"].get("model"))
+    if "model" in settings["arm"]:
+        settings["arm"]["model"] = model.path
+    samples = _samples(settings["run"], columns.get("ignore") if isinstance(columns, Mapping) else None)
+    return Diagnosis(_engine.diagnose(_plain(settings), samples, model="", effects=_file(effects), next=next, as_is=as_is,
+                                      progress=shown(progress)), model)
 
 
 def plan(nominal: Mapping[str, Any] | NominalChain | Model, runs: Sequence[Mapping[str, Any]], *,
@@ -244,15 +290,45 @@ def _settings(nominal: Mapping[str, Any] | NominalChain | Model, runs: Sequence[
     return settings
 
 
+def _arm(arm: Mapping[str, Any] | Arm | Model, points: Sequence[Mapping[str, Any]],
+         load: Mapping[str, Any] | None) -> dict[str, Any]:
+    """The table [arm]."""
+    if isinstance(arm, Arm):
+        arm = arm.settings()
+    table = dict(arm) if isinstance(arm, Mapping) else {"model": arm}
+    for key, parameter, value in (("point", "points", list(points)), ("load", "load", load)):
+        if value and key in table:
+            raise Error(f"{parameter}: found beside the key {key!r} of the arm, expected one of the two")
+        if value:
+            table[key] = value
+    return table
+
+
 def _file(path: PathLike | None) -> str:
     return "" if path is None else os.fspath(path)
 
 
-def _columns(samples: Any, place: str) -> list[tuple[str, Floats]]:
+def _samples(runs: Sequence[dict[str, Any]], ignored: Any = None) -> list[list[tuple[str, Floats]]]:
+    """What the runs hold, which keep their other keys.
+
+    :param ignored: the name or names of columns to leave out
+    """
+    names = {ignored} if isinstance(ignored, str) else set(ignored) if isinstance(ignored, Iterable) else set()
+    samples = []
+    for number, run in enumerate(runs, 1):
+        place = f"experiment: run[{number}].samples"
+        if "samples" not in run:
+            raise Error(f"{place}: found no such key, expected columns of readings")
+        samples.append(_columns(run.pop("samples"), place, names))
+    return samples
+
+
+def _columns(samples: Any, place: str, ignored: Collection[str] = ()) -> list[tuple[str, Floats]]:
     """Columns of one length, as doubles."""
     if not hasattr(samples, "keys"):
         raise Error(f"{place}: found {type(samples).__name__}, expected columns by name: a mapping or a DataFrame")
-    columns = [(str(name), doubles(np.asarray(samples[name]), f"{place}.{name}")) for name in samples.keys()]
+    columns = [(str(name), doubles(np.asarray(samples[name]), f"{place}.{name}")) for name in samples.keys()
+               if name not in ignored]
     for name, values in columns:
         if len(values) != len(columns[0][1]):
             raise Error(f"{place}.{name}: found {len(values)} readings, expected {len(columns[0][1])} as in "

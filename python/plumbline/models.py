@@ -42,6 +42,8 @@ class ModelFile:
     def __init__(self, model: Model | None) -> None:
         self._folder: tempfile.TemporaryDirectory[str] | None = None
         if not hasattr(model, "to_xml"):
+            if not isinstance(model, (str, os.PathLike, type(None))):
+                raise Error(f"model: found {type(model).__name__}, expected a file (MJCF, URDF, SDF) or a mujoco.MjSpec")
             self.path = "" if model is None else os.fspath(model)
             return
         model.compile()
@@ -61,15 +63,25 @@ def read_chain(model: Model, joints: Sequence[str] = ()) -> NominalChain:
     """
     file = ModelFile(model)
     try:
-        return NominalChain(**_engine.chain(file.path, list(joints)))
+        found = _engine.chain(file.path, list(joints))
     except Error as error:
-        if "which stands for several" not in str(error):
-            raise
-        try:
-            import mujoco
-        except ImportError:
-            raise error from None
-    return read_chain(mujoco.MjSpec.from_file(os.fspath(model)), joints)
+        file = written_out(model, error)
+        found = _engine.chain(file.path, list(joints))
+    return NominalChain(**found)
+
+
+def written_out(model: Model, error: Error) -> ModelFile:
+    """An MJCF whose elements stand for several bodies, written out by the package `mujoco`, where that is installed.
+
+    :param error: that the file gave; raised again where it is another one, or nothing can write the file out
+    """
+    if hasattr(model, "to_xml") or "which stands for several" not in str(error):
+        raise error
+    try:
+        import mujoco
+    except ImportError:
+        raise error from None
+    return ModelFile(mujoco.MjSpec.from_file(os.fspath(model)))
 
 
 class Guess(NamedTuple):

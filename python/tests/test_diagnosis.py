@@ -69,7 +69,7 @@ def test_the_curves_are_drawn(diagnosis):
     matplotlib = pytest.importorskip("matplotlib")
     matplotlib.use("Agg")
     figure = diagnosis.plot()
-    assert [axes.get_title() for axes in figure.axes][:3] == ["u-press: Fx", "z-press: Fx", "u-aside: Fx"]
+    assert [axes.get_title() for axes in figure.axes][:3] == ["u-press: Fx", "u-press: Fy", "z-press: Fx"]
 
 
 def test_a_frame_of_pandas_and_other_units_mean_the_same(diagnosis):
