@@ -10,13 +10,31 @@
 namespace plumbline::diagnose {
 
 /// The content of a column.
-enum class Kind { none, time, x, y, z, force_x, force_y, force_z, force, angle, run, temperature, humidity };
+enum class Kind {
+  none,
+  time,
+  x,
+  y,
+  z,
+  force_x,
+  force_y,
+  force_z,
+  force,
+  angle,
+  run,
+  temperature,
+  humidity,
+  torque,
+  tension,  ///< of a tendon
+  pressure  ///< in an actuator
+};
 
 struct ColumnWords {
   Kind kind = Kind::none;
   std::size_t joint = 0;   ///< of an angle, from 1; 0 where no number says it
   bool commanded = false;  ///< "x_cmd": what was asked for, not what was reached
   std::string unit;        ///< "mm", where the words have one that is one; else empty
+  std::string variable;    ///< of a tension or a pressure: its title as the name of a covariate
 };
 
 /// \param title   "Traverse [mm]", "F_x (N)", "joint_2_pos"
@@ -32,8 +50,10 @@ std::vector<ColumnWords> words_of_standard(std::size_t columns, std::size_t join
 bool is_force(Kind kind);
 /// Whether a column says where the chain is: a place or an angle.
 bool is_place(Kind kind);
+/// Whether a column says how hard something along the chain pulls or presses: a tension or a pressure.
+bool is_actuation(Kind kind);
 
-/// The quantity of a kind; nothing of a run or a covariate.
+/// The quantity of a kind; nothing of a run, a torque or a temperature.
 const Quantity* quantity_of(Kind kind);
 
 }  // namespace plumbline::diagnose

@@ -102,6 +102,7 @@ class Drafting {
       const Guesses& guesses = experiment_.runs.back().guesses;
       draft_.guesses.insert(draft_.guesses.end(), guesses.begin(), guesses.end());
     }
+    experiment_.loads = drafted_loads(experiment_.runs, model_, ask_, draft_.guesses);
   }
 
   Draft result() {
@@ -110,6 +111,8 @@ class Drafting {
     for (int round = 0; round < rounds && settle(); ++round) continue;
     for (const DraftedRun& run : experiment_.runs)
       if (draft_.question.empty()) draft_.question = run.question;
+    if (const std::string first = question_of_loads(); !first.empty())
+      draft_.question = first + (draft_.question.empty() ? "" : "; ") + draft_.question;
     draft_.settings = settings_text(experiment_, model_);
     return std::move(draft_);
   }
@@ -118,6 +121,7 @@ class Drafting {
   /// Asks what screening asks. \return whether a guess was changed by it
   bool settle() {
     draft_.question.clear();
+    if (!question_of_loads().empty()) return false;  // nothing can be read before it is answered
     try {
       Experiment as_drafted = read();
       thin(as_drafted);
@@ -129,6 +133,10 @@ class Drafting {
       draft_.question = question.what();
     }
     return false;
+  }
+
+  [[nodiscard]] std::string question_of_loads() const {
+    return open_question(experiment_.loads, model_.chain.link_length.size());
   }
 
   [[nodiscard]] Experiment read() const {

@@ -75,7 +75,7 @@ std::string column_table(const DraftColumn& column, const std::string& source) {
 /// The covariates that every run has.
 std::vector<std::string> common_covariates(const std::vector<DraftedRun>& runs) {
   std::vector<std::string> names;
-  for (const auto& [name, place] : runs.front().covariates)
+  for (const auto& [name, column] : runs.front().covariates)
     if (std::all_of(runs.begin(), runs.end(),
                     [&](const DraftedRun& run) { return run.covariates.contains(name); }))
       names.push_back(name);
@@ -85,9 +85,13 @@ std::vector<std::string> common_covariates(const std::vector<DraftedRun>& runs) 
 std::string covariate_lines(const DraftedRun& run, const DraftedExperiment& experiment,
                             const auto& is_there) {
   std::vector<std::string> all;
-  for (const std::string& name : common_covariates(experiment.runs))
-    if (const std::size_t place = run.covariates.at(name); is_there(place))
-      all.push_back(name + " = " + reference(run.source, place));
+  for (const std::string& name : common_covariates(experiment.runs)) {
+    const DraftColumn& column = run.covariates.at(name);
+    if (!is_there(column.place)) continue;
+    const std::string source = reference(run.source, column.place);
+    const bool plain = !column.constant && column.unit.empty();
+    all.push_back(name + " = " + (plain ? source : column_table(column, source)));
+  }
   return all.empty() ? "" : fmt::format("covariate = {{ {} }}\n", fmt::join(all, ", "));
 }
 
@@ -185,6 +189,16 @@ std::string bench_lines(const DraftModel& model) {
   return text;
 }
 
+/// A load along the chain. Moment arms that nobody has said are an empty list, which the reader refuses.
+std::string load_lines(const DraftedLoad& load, std::size_t joints) {
+  const LoadWords& words = load_words(load.kind);
+  const std::string note = load.moment_arm.empty() ? fmt::format("  # fill in {} numbers, {}: {}", joints,
+                                                                 words.of_arms->si, words.arms_are)
+                                                   : "";
+  return fmt::format("\n[[load]]\n{} = {}\n{} = {}{}\n", words.key, quoted(load.name), words.arms,
+                     list(load.moment_arm), note);
+}
+
 const SampleFormat& format_of(const DraftedRun& run) {
   return run.source.parts.front().table.format;
 }
@@ -246,6 +260,7 @@ std::string settings_text(const DraftedExperiment& experiment, const DraftModel&
       "what is wrong.\nformat = \"chain-experiment/1\"\n";
   text += "name = " + quoted(experiment.name) + "\n\n[nominal]\n" + nominal_lines(model.chain);
   text += "\n[bench]\n" + bench_lines(model);
+  for (const DraftedLoad& load : experiment.loads) text += load_lines(load, model.chain.link_length.size());
   text += "\n[noise]  # how much neighbouring readings scatter\n" + noise_lines(runs, same_columns);
   if (same_csv && !csv.empty()) text += "\n[csv]\n" + csv;
   if (same_columns) text += "\n[columns]\n" + columns;

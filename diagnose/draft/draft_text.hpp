@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "diagnose/draft/drafted_loads.hpp"
 #include "diagnose/draft/drafted_run.hpp"
 
 namespace plumbline::diagnose {
@@ -13,6 +14,7 @@ namespace plumbline::diagnose {
 struct DraftedExperiment {
   std::string name;
   std::vector<DraftedRun> runs;
+  std::vector<DraftedLoad> loads = {};
   bool absolute_angles = false;
 };
 

@@ -17,6 +17,14 @@ namespace {
 
 using Values = std::vector<double>;
 
+/// Whether a load is next to nothing at the first reading.
+bool begins_at_nothing(const Values& load) {
+  constexpr double nothing = 0.03;  // of its most
+  double most = 0;
+  for (const double value : finite(load)) most = std::max(most, std::abs(value));
+  return !std::isfinite(load.front()) || std::abs(load.front()) <= nothing * most + 3 * scatter_of(load);
+}
+
 class Drafter {
  public:
   Drafter(const RunSource& source, const DraftModel& model, const Ask& ask)
@@ -33,6 +41,7 @@ class Drafter {
     require_something();
     find_length_unit();
     find_angle_unit();
+    find_actuators();
     if (imposes_commands()) {
       impose_commands();
     } else {
@@ -135,9 +144,47 @@ class Drafter {
     for (std::size_t c = 0; c < words_.size(); ++c) {
       if (words_[c].kind != Kind::temperature && words_[c].kind != Kind::humidity) continue;
       const std::string name = words_[c].kind == Kind::temperature ? "temperature" : "humidity";
-      if (finite(run_.source.numbers(c)).empty() || !run_.covariates.emplace(name, c).second) continue;
+      if (finite(run_.source.numbers(c)).empty()) continue;
+      if (!run_.covariates.emplace(name, DraftColumn{c, ""}).second) continue;
       say("covariate " + name, title(c), "its name");
     }
+  }
+
+  /// Tensions and pressures. Of which of them are loads along the chain, all runs together decide.
+  void find_actuators() {
+    for (const bool commanded : {false, true})
+      for (std::size_t c = 0; c < words_.size(); ++c)
+        if (is_actuation(words_[c].kind) && words_[c].commanded == commanded) add_actuator(c);
+    const bool forced = run_.singles[draft_Fx] || run_.singles[draft_Fy] || has(Kind::torque),
+               put = column_of(Kind::x, true) || column_of(Kind::y, true) || !angle_columns(true).empty();
+    run_.moved_by_actuators = !run_.actuators.empty() && !forced && !put;
+  }
+
+  void add_actuator(std::size_t c) {
+    if (finite(run_.source.numbers(c)).empty()) return;
+    const auto taken = [&](const std::string& name) {
+      return std::any_of(run_.actuators.begin(), run_.actuators.end(),
+                         [&](const DraftedActuator& one) { return one.name == name; });
+    };
+    std::string name = words_[c].variable;
+    if (words_[c].commanded && taken(name)) {
+      say(title(c), "left out", "of a load along the chain what was reached counts");
+      return;
+    }
+    for (int number = 2; taken(name); ++number) name = fmt::format("{}_{}", words_[c].variable, number);
+    const char* const what = words_[c].kind == Kind::tension ? "tension" : "pressure";
+    const std::string& unit = words_[c].unit;
+    say(what, title(c) + (unit.empty() ? "" : ", in " + unit), "its name");
+    const DraftColumn column{c, unit.empty() ? asked_unit(c, what) : unit};
+    run_.actuators.push_back({words_[c].kind, name, column});
+  }
+
+  /// SI, unless a person says another; nothing in the numbers of a tension or a pressure tells it.
+  std::string asked_unit(std::size_t c, const std::string& what) {
+    const Quantity& quantity = *quantity_of(words_[c].kind);
+    const auto answer =
+        say("unit of " + what, quantity.si, fmt::format("no unit stands at {}", title(c)), true);
+    return answer ? parse_unit(*answer, quantity, fmt::format("unit of {}", title(c))).name : "";
   }
 
   void require_something() const {
@@ -223,6 +270,7 @@ class Drafter {
 
   /// What is imposed goes in even steps; what is measured scatters.
   void find_control() {
+    if (run_.moved_by_actuators) return impose_actuators();
     const auto& s = run_.singles;
     const bool places = s[draft_x] || s[draft_y], forces = s[draft_Fx] || s[draft_Fy];
     if (!places || !forces) {
@@ -263,6 +311,14 @@ class Drafter {
     if (!forces) say("Fx, Fy", "0", "there is no force among the columns: nothing but weights acts");
     impose_force();
   }
+  /// Beside a load along the chain no force on the end point needs a column.
+  void impose_actuators() {
+    run_.imposes_force = true;
+    std::vector<std::string> names;
+    for (const DraftedActuator& one : run_.actuators) names.push_back(title(one.column.place));
+    say("control", "force",
+        fmt::format("no force, torque or command stands beside {}", fmt::join(names, ", ")));
+  }
   void impose_force() {
     for (const std::size_t c : {draft_Fx, draft_Fy})
       if (!run_.singles[c]) run_.singles[c] = DraftColumn{0, "", 1, 0, 0.0};
@@ -291,17 +347,13 @@ class Drafter {
   }
 
   [[nodiscard]] bool begins_unloaded() const {
-    constexpr double nothing = 0.03;
-    for (const std::size_t c : {draft_Fx, draft_Fy}) {
-      const auto& column = run_.singles[c];
-      if (!column || column->constant) continue;
-      const Values force = raw(*column);
-      double most = 0;
-      for (const double value : finite(force)) most = std::max(most, std::abs(value));
-      if (std::isfinite(force.front()) && std::abs(force.front()) > nothing * most + 3 * scatter_of(force))
-        return false;
-    }
-    return true;
+    std::vector<DraftColumn> loads;
+    for (const std::size_t c : {draft_Fx, draft_Fy})
+      if (const auto& column = run_.singles[c]; column && !column->constant) loads.push_back(*column);
+    if (run_.moved_by_actuators)
+      for (const DraftedActuator& one : run_.actuators) loads.push_back(one.column);
+    return std::all_of(loads.begin(), loads.end(),
+                       [&](const DraftColumn& load) { return begins_at_nothing(raw(load)); });
   }
 
   /// The unloaded shape: commanded angles, the model's, or that of a first reading without load.
@@ -327,6 +379,10 @@ class Drafter {
       if (!own.empty() && away < near) return;
       if (begins_unloaded())
         return set_rest(first, "the first reading, which is without load", own.empty() ? NAN : away);
+      if (!own.empty() && run_.moved_by_actuators) {
+        say("rest", "the model's", "the first reading is under load");
+        return;
+      }
     }
     const Values xs = run_.values(draft_x), ys = run_.values(draft_y);
     if (xs.empty() || ys.empty() || !std::isfinite(xs.front()) || !std::isfinite(ys.front()))

@@ -27,11 +27,20 @@ struct DraftColumn {
 enum : std::size_t { draft_t, draft_x, draft_y, draft_Fx, draft_Fy, draft_singles };
 inline constexpr std::array<const char*, draft_singles> single_names{"t", "x", "y", "Fx", "Fy"};
 
+/// A column of a tendon's tension or of an actuator's pressure.
+struct DraftedActuator {
+  Kind kind;
+  std::string name;  ///< as a covariate
+  DraftColumn column;
+};
+
 struct DraftedRun {
   RunSource source;
   std::array<std::optional<DraftColumn>, draft_singles> singles;
   std::vector<DraftColumn> angles;                ///< of all joints, or none
-  std::map<std::string, std::size_t> covariates;  ///< columns by the names of their variables
+  std::map<std::string, DraftColumn> covariates;  ///< by the names of their variables
+  std::vector<DraftedActuator> actuators;         ///< in the order of their columns
+  bool moved_by_actuators = false;                ///< by them alone: nothing else drives the run
   std::vector<DraftColumn> commands;              ///< of all joints, where the run imposes them; or none
   bool imposes_force = false;
   std::vector<double> rest;  ///< rad; empty where the model's serves

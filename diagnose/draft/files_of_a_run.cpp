@@ -49,19 +49,25 @@ bool continues(const Look& first, const Look& second) {
   if (!(after.front() > before.back())) return false;
   for (std::size_t c = 0; c < first.words.size(); ++c) {
     const Kind kind = first.words[c].kind;
-    const bool counts = c == *first.time() || is_force(kind) || is_place(kind);
+    const bool counts = c == *first.time() || is_force(kind) || is_place(kind) || is_actuation(kind);
     if (counts && !goes_on(first.source.numbers(c), second.source.numbers(c))) return false;
   }
   return true;
 }
 
-/// Whether one file has the forces and the other where the chain was, at the same times.
-bool completes(const Look& first, const Look& second) {
+/// Whether one file has where the chain was, and the other what acts on it.
+/// \param acts  forces, or tensions and pressures
+bool are_apart(const Look& first, const Look& second, bool (*acts)(Kind)) {
   const auto only = [](const Look& one, bool (*is)(Kind), bool (*is_not)(Kind)) {
     return one.has(is) && !one.has(is_not);
   };
-  const bool apart = (only(first, is_force, is_place) && only(second, is_place, is_force)) ||
-                     (only(first, is_place, is_force) && only(second, is_force, is_place));
+  return (only(first, acts, is_place) && only(second, is_place, acts)) ||
+         (only(first, is_place, acts) && only(second, acts, is_place));
+}
+
+/// Whether one file has the forces and the other where the chain was, at the same times.
+bool completes(const Look& first, const Look& second) {
+  const bool apart = are_apart(first, second, is_force) || are_apart(first, second, is_actuation);
   return apart && first.time() && second.time() &&
          first.source.numbers(*first.time()) == second.source.numbers(*second.time());
 }

@@ -33,6 +33,18 @@ std::vector<std::vector<std::size_t>> alike(const std::vector<ColumnWords>& word
   return all;
 }
 
+/// Tensions and pressures that stand in every block, in their order; others are common to all runs.
+void share_actuators(const std::vector<ColumnWords>& words, Blocks& blocks) {
+  for (const Kind kind : {Kind::tension, Kind::pressure}) {
+    std::vector<std::size_t> columns;
+    for (std::size_t c = 0; c < words.size(); ++c)
+      if (words[c].kind == kind) columns.push_back(c);
+    if (columns.size() % blocks.size() != 0) continue;
+    const std::size_t each = columns.size() / blocks.size();
+    for (std::size_t i = 0; i < columns.size(); ++i) blocks[i / each].push_back(columns[i]);
+  }
+}
+
 /// Blocks that repeat: every force, place and angle once, or as often as there are blocks; likewise the time.
 Blocks repeated(const std::vector<ColumnWords>& words) {
   std::size_t most = 1;
@@ -48,7 +60,9 @@ Blocks repeated(const std::vector<ColumnWords>& words) {
     if (columns.size() != most) return {};
     for (std::size_t run = 0; run < most; ++run) blocks[run].push_back(columns[run]);
   }
-  return most > 1 ? blocks : Blocks();
+  if (most == 1) return {};
+  share_actuators(words, blocks);
+  return blocks;
 }
 
 /// A title in small letters without its number.
