@@ -57,6 +57,11 @@ bool is_stuck(const Run& run, const Trace& predicted, const Channel& channel, co
          both.predicted.width() > of_sensor * widest(run, predicted, channel);
 }
 
+bool measures(const Run& run, const Channel& channel) {
+  const std::vector<Channel> measured = run.measured();
+  return std::find(measured.begin(), measured.end(), channel) != measured.end();
+}
+
 /// Where one run shows that a channel is stuck, all runs in which it is constant are listed.
 std::optional<StuckChannel> stuck(const Study& study, const Channel& channel) {
   const Experiment& experiment = study.experiment();
@@ -64,6 +69,7 @@ std::optional<StuckChannel> stuck(const Study& study, const Channel& channel) {
   bool shown = false, somewhere_moved = false;
   for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
     const Run& run = experiment.runs[r];
+    if (!measures(run, channel)) continue;
     const Ranges both = ranges(run, study.nominal().runs[r], channel);
     if (both.measured.width() > 0) somewhere_moved = true;
     if (both.measured.count == 0 || both.measured.width() > 0) continue;

@@ -12,7 +12,8 @@ using namespace plumbline::diagnose::test;
 
 namespace {
 
-/// The convention asked about; empty where none is. Whether the readings are physical at all is asked before, elsewhere.
+/// The convention asked about; empty where none is. Whether the readings are physical at all is asked before,
+/// elsewhere.
 std::string asked(const Experiment& experiment) {
   try {
     require_conventions(Study(experiment));
@@ -129,4 +130,19 @@ TEST_CASE("a channel may be constant where it is small beside the other of its s
   const auto [enough, asked_of_enough] = held(-0.014);
   CHECK(enough > 0.02);
   CHECK(asked_of_enough);
+}
+
+TEST_CASE(
+    "a run without joint angles beside one that has them raises no question, and a stuck one there is "
+    "found") {
+  Experiment experiment = still_bench();
+  const std::vector<double> angles = experiment.runs[0].readings[0].q;
+  REQUIRE_FALSE(angles.empty());
+  for (Reading& reading : experiment.runs[1].readings) reading.q.clear();
+  CHECK_FALSE(stuck_channel(Study(experiment)));
+  hold(experiment.runs[0], {Channel::Name::q, 1}, 0.25);
+  const auto found = stuck_channel(Study(experiment));
+  REQUIRE(found);
+  CHECK(found->channel == Channel{Channel::Name::q, 1});
+  CHECK(found->readings == experiment.runs[0].readings.size());
 }
