@@ -56,6 +56,10 @@ def put_play(truth, place, x):
     truth.play[place] = x[0]
 
 
+def put_flange(truth, place, x):
+    truth.loose_flange = abs(x[0])
+
+
 ROWS = (
     Row("joint_zero", 1, add("zero"), angle),
     Row("joint_scale", 1, add("gear"), angle),
@@ -69,6 +73,7 @@ ROWS = (
     Row("link_flexibility", 1, put_bending, lambda s, p: softness(s, p) / s.length, long_links),
     Row("tool_mass", 1, add_whole("payload"), lambda s, p: 0.05 * s.payload, weighed),
     Row("gravity_compensation", 1, add_whole("compensated"), lambda s, p: 0.1, weighed),
+    Row("tool_play", 1, put_flange, angle, weighed),
     Row("mount_tilt", 2, put_tilt, angle, no_place),
     Row("mount_compliance", 2, put_compliance, softness, weighed),
     Row("tracker_offset", 3, add_whole("tracker_shift"), of_tracker, no_place),

@@ -209,6 +209,11 @@ def belt(truth, shape, place, amount, random):
     return {}
 
 
+def loose_flange(truth, shape, place, amount, random):
+    truth.loose_flange = amount
+    return {"b_y": amount}
+
+
 # outside the catalogue
 
 def ripple(truth, shape, place, amount, random):
@@ -229,8 +234,8 @@ def cable(truth, shape, place, amount, random):
     return {}
 
 
-def loose_flange(truth, shape, place, amount, random):
-    truth.loose_flange = amount
+def uneven(truth, shape, place, amount, random):
+    truth.uneven[place] = amount * random.choice([-1, 1])
     return {}
 
 
@@ -309,6 +314,7 @@ INSIDE = (
     Cause("link_centre", centre, lambda s, p: 0.01 * s.length, 15, places=heavy_links),
     Cause("link_flexibility", bending, lambda s, p: softness(s, p) / s.length, 50, places=long_links),
     Cause("tool_mass", tool_mass, lambda s, p: 0.05 * s.payload, 12, places=weighed),
+    Cause("tool_play", loose_flange, angle, 300, places=weighed),
     Cause("gravity_compensation", compensation, lambda s, p: 0.2, 5, places=weighed),
     Cause("mount_tilt", base_tilt, angle, 100, places=no_place),
     Cause("mount_compliance", base_compliance, softness, 50, places=weighed),
@@ -327,7 +333,7 @@ OUTSIDE = (
     Cause("unknown", ripple, angle, 100, words="a joint's position ripples many times a turn"),
     Cause("unknown", coupling, angle, 100, words="a joint turns along with the one before", places=lambda s: range(1, s.size)),
     Cause("unknown", cable, lambda s, p: 0.2 * s.payload * 9.81 / s.length, 100, places=no_place, words="a cable from overhead pulls at the forearm"),
-    Cause("unknown", loose_flange, angle, 300, places=weighed, words="the flange is loose: the tool tips"),
+    Cause("unknown", uneven, lambda s, p: 0.1, 8, places=load_joints, words="a joint is stiffer at some angles"),
     Cause("unknown", floor, lambda s, p: 5 * s.payload * 9.81 / s.length, 100, places=weighed, words="the lowest poses touch something soft"),
     Cause("unknown", growth, angle, 100, places=no_place, words="the arm grows with the temperature of the day"),
     Cause("unknown", sinking, angle, 100, places=no_place, words="the base sinks to one side in the course of the session"),

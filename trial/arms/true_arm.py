@@ -8,6 +8,7 @@ from truth import Truth
 
 MOVE, HOLD = 2.0, 1.0  # s: of a motion between two poses, of the rest after it
 BEAT = 10  # steps between two commands of the servos
+UNEVEN = 3  # times a turn: a spring that is stiffer at some angles
 AT_REST = 1e-9  # rad or m: a smaller step is none
 
 mujoco.set_mju_user_warning(lambda text: None)  # of steps of Newton's method that went too far; what fails is told by its residual
@@ -60,7 +61,7 @@ class TrueArm:
             data.qfrc_applied[self.dof] += truth.compensated * self.plain.weight(turned)
         d = data.qpos[self.dof] - turned
         k = self.shape.stiffness * (1 + truth.softer)
-        data.qfrc_applied[self.dof] -= k * truth.hardening * d**3
+        data.qfrc_applied[self.dof] -= k * (truth.hardening * d**3 + truth.uneven * np.sin(UNEVEN * data.qpos[self.dof]) * d)
 
     def weight(self, q):
         """Torques of gravity that the joints have to hold."""

@@ -6,8 +6,8 @@ from model_files import inertia, quaternion, rotation, rotation_about, text
 STEP = 0.004  # s, of the dynamics
 HEAVY = 5e-4  # s^2: inertia over stiffness of what rubs, so that MuJoCo's soft friction sticks
 RIGID = f'solimpfriction="0.9999 0.9999 0.001" solreffriction="{2 * STEP} 1"'
-LOOSE_TOOL = 0.3  # kg: the tool behind a loose flange
-STOP = 3000.0  # N m/rad: a flange that has tipped as far as it can
+LOOSE_TOOL = 1e-3  # kg of the last link's: what hangs behind a loose flange, so that it tips without a load too
+STOP = 1e6  # N m/rad: a flange that has tipped as far as it can
 
 
 def fine_joint(name, kind, axis, stiffness):

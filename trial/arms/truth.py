@@ -20,6 +20,7 @@ class Truth:
     # gears
     softer: np.ndarray = None  # stiffness times (1 + softer)
     hardening: np.ndarray = None  # torque k d (1 + hardening d^2)
+    uneven: np.ndarray = None  # stiffness times 1 + uneven sin(3 q)
     friction: np.ndarray = None  # dry, N m or N
     play: dict = field(default_factory=dict)  # link -> half the width
     belt: dict = field(default_factory=dict)  # link -> (stiffness, torque at which it slips), beside the spring
@@ -56,7 +57,7 @@ class Truth:
     force_bias: np.ndarray = zeros(3)
 
     def __post_init__(self):
-        for name, width in (("zero", 0), ("gear", 0), ("softer", 0), ("hardening", 0), ("friction", 0), ("heavier", 0), ("angle_bias", 0),
+        for name, width in (("zero", 0), ("gear", 0), ("softer", 0), ("hardening", 0), ("uneven", 0), ("friction", 0), ("heavier", 0), ("angle_bias", 0),
                             ("angle_scale", 0), ("shift", 3), ("tilt", 3), ("centre", 3)):
             if getattr(self, name) is None:
                 setattr(self, name, np.zeros((self.size, width) if width else self.size))
