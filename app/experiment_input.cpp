@@ -51,7 +51,7 @@ diagnose::Experiment bench_of(const ExperimentInput& input) {
   const std::optional<diagnose::NominalChain> model = model_of(input);
   const diagnose::NominalChain* const nominal = model ? &*model : nullptr;
   return input.folder.empty() ? diagnose::read_plan(example_folder, example_file, nominal)
-                              : diagnose::read_plan(input.folder, nominal);
+                              : diagnose::read_plan(input.folder, nominal, arm_of);
 }
 
 std::filesystem::path model_file(const ExperimentInput& input) {

@@ -343,8 +343,9 @@ void add_noise(Random& random, Scenario& scenario) {
         return reading.q[series.channel.joint];
       };
       double& measured = value(series.channel.name);
-      measured += series.sigma * error;
-      if (quantised) measured = series.sigma / 3 * std::round(3 * measured / series.sigma);
+      const double sigma = measurements.sigma()(static_cast<Eigen::Index>(series.first + i));
+      measured += sigma * error;
+      if (quantised) measured = sigma / 3 * std::round(3 * measured / sigma);
     }
   }
 }

@@ -102,8 +102,8 @@ Missing channel_over(const Study& study, const NoiseEstimate& noise, const Chann
     for (std::size_t i = 0; i < series.readings.size(); ++i) {
       if (noise.shape.outlier[series.first + i]) continue;
       const Reading& reading = run.readings[series.readings[i]];
-      missing.points.push_back({over.of(reading),
-                                series.sigma * residual(static_cast<Eigen::Index>(series.first + i)),
+      const auto row = static_cast<Eigen::Index>(series.first + i);
+      missing.points.push_back({over.of(reading), study.measurements().sigma()(row) * residual(row),
                                 reading.t, down[series.readings[i]]});
     }
   }

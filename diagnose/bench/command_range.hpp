@@ -2,6 +2,7 @@
 /// \file
 /// Between which values the joints of a bench are commanded, or its loads along the chain.
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -14,6 +15,10 @@ namespace plumbline::diagnose {
 struct CommandRange {
   double low = std::numeric_limits<double>::infinity(), high = -low;
 
+  void add(double value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
   /// From `low`, 0, to `high`, 1.
   [[nodiscard]] double at(double share) const { return low + share * (high - low); }
 };

@@ -73,6 +73,12 @@ struct Branch {
   [[nodiscard]] std::size_t first() const;
 };
 
+/// Declared standard deviation of one reading; 0 for a channel that has none.
+struct Noise {
+  double x = 0, y = 0, Fx = 0, Fy = 0, q = 0;
+  double place = 0, turn = 0, torque = 0;  ///< of an arm's points, m and rad, and of its drives
+};
+
 /// One loading history from rest, readings in the order in which they were taken.
 struct Run {
   std::string id;
@@ -92,6 +98,9 @@ struct Run {
   std::optional<Branch> branch =
       std::nullopt;                     ///< the observed branch, where the nominal model may take either
   std::vector<LoadChannel> loads = {};  ///< what loads the chain besides, as part of the command
+  /// Of what a chain's run imposes, where a sensor read it: q is of the commanded joint angles. A joint alone
+  /// has it in the noise of the experiment.
+  Noise imposed_noise = {};
 
   [[nodiscard]] bool holds_end_point() const { return control == Control::end_point; }
   /// The imposed channels, along x and along y; of a joint alone its angle or its torque.
@@ -148,12 +157,6 @@ struct Run {
   [[nodiscard]] bool is_thinned() const { return groups.size == 1 && !groups.first.empty(); }
   /// Declared noise of a decimated reading over that of an original one.
   [[nodiscard]] double noise_of_group() const;
-};
-
-/// Declared standard deviation of one reading; 0 for a channel that has none.
-struct Noise {
-  double x = 0, y = 0, Fx = 0, Fy = 0, q = 0;
-  double place = 0, turn = 0, torque = 0;  ///< of an arm's points, m and rad, and of its drives
 };
 
 /// The known properties of the bench, whether or not the nominal model uses them.

@@ -170,12 +170,29 @@ bool read_by_weights(const Section& section, const Run& run, const Experiment& e
   return word == "weights";
 }
 
+/// Noise of what the run imposes, in the units of its columns.
+Noise read_imposed_noise(const Section& section, const SampleFormat& format, const Run& run) {
+  if (!section.has("noise")) return {};
+  if (run.alone != Alone::no) section.refuse("noise", "nothing: the noise of a joint alone is in [noise]");
+  const Section noise = section.table("noise");
+  std::set<std::string> imposed;
+  for (const Channel& channel : run.imposed()) imposed.insert(channel.label());
+  if (format.commanded) imposed.insert("q_command");
+  noise.allow_only(imposed);
+  const auto sigma = [&](const std::string& key, std::size_t column) {
+    return imposed.contains(key) ? in_si(noise.non_negative(key), format.columns[column].unit) : 0;
+  };
+  return {sigma("x", place_x), sigma("y", place_y), sigma("Fx", place_Fx), sigma("Fy", place_Fy),
+          sigma("q_command", format.place_command1())};
+}
+
 /// \param commanded  whether the run imposes joint angles
 void read_samples_of(const Section& section, const Shared& shared, bool commanded, Run& run) {
   SampleFormat format = read_sample_format(section, shared.format);
   format.commanded = commanded;
   format.free_end = commanded || (!run.holds_end_point() && !shared.experiment.loads.empty());
   format.any_order |= (shared.source.plan && format.header) || commanded;  // a plan may hold commands alone
+  run.imposed_noise = read_imposed_noise(section, format, run);
   Samples samples = read_samples(shared.source.read(section, format), run.control);
   run.readings = std::move(samples.readings);
   run.origins = std::move(samples.origins);
@@ -219,7 +236,7 @@ std::vector<LoadChannel> loads_of(const Run& run, const Experiment& experiment) 
 }
 
 Run read_run(const Section& section, const Shared& shared) {
-  section.allow_only({"id", "control", "begins", "loaded_by", "rest", "samples", "csv", "columns"});
+  section.allow_only({"id", "control", "begins", "loaded_by", "rest", "noise", "samples", "csv", "columns"});
   Run run;
   run.id = section.name("id", "a name");
   run.alone = shared.experiment.alone;
@@ -399,6 +416,14 @@ ReadFile files_of(const fs::path& folder) {
   };
 }
 
+/// A reader of models of arms in the folder.
+ReadArm inside(const fs::path& folder, const ReadArm& arm) {
+  if (!arm) return {};
+  return [folder, arm](const std::string& name, const std::string& base, const std::string& tip) {
+    return arm(file_inside(folder, name, "arm.model").string(), base, tip);
+  };
+}
+
 /// What is planned, before anything is measured.
 Experiment as_bench(Experiment planned) {
   Experiment bench = unmeasured(std::move(planned));
@@ -409,10 +434,7 @@ Experiment as_bench(Experiment planned) {
 }  // namespace
 
 Experiment read_experiment(const fs::path& folder, const NominalChain* model, const ReadArm& arm) {
-  const ReadArm inside = [&](const std::string& name, const std::string& base, const std::string& tip) {
-    return arm(file_inside(folder, name, "arm.model").string(), base, tip);
-  };
-  Experiment experiment = read_folder(folder, files_of(folder), false, model, arm ? inside : ReadArm{});
+  Experiment experiment = read_folder(folder, files_of(folder), false, model, inside(folder, arm));
   require_physical(experiment);
   return experiment;
 }
@@ -424,14 +446,14 @@ Experiment read_experiment(const fs::path& folder, const ReadFile& read, const N
 }
 
 Experiment read_experiment(const toml::table& settings, const std::string& source, const ReadParts& read,
-                           const NominalChain* model) {
-  Experiment experiment = read_settings(Section(settings, source), {read, false, {}}, model);
+                           const NominalChain* model, const ReadArm& arm) {
+  Experiment experiment = read_settings(Section(settings, source), {read, false, arm}, model);
   require_physical(experiment);
   return experiment;
 }
 
-Experiment read_plan(const fs::path& folder, const NominalChain* model) {
-  return read_plan(folder, files_of(folder), model);
+Experiment read_plan(const fs::path& folder, const NominalChain* model, const ReadArm& arm) {
+  return as_bench(read_folder(folder, files_of(folder), true, model, inside(folder, arm)));
 }
 
 Experiment read_plan(const fs::path& folder, const ReadFile& read, const NominalChain* model) {

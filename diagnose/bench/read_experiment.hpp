@@ -31,8 +31,9 @@ using ReadParts = std::function<std::vector<SamplePart>(const Section& run, cons
 /// An experiment in memory: the same keys, checked by the same rules.
 /// \param settings  the contents of experiment.toml
 /// \param source    named in errors
+/// \param arm       reads the model's file that a table [arm] names, wherever it is
 Experiment read_experiment(const toml::table& settings, const std::string& source, const ReadParts& read,
-                           const NominalChain* model = nullptr);
+                           const NominalChain* model = nullptr, const ReadArm& arm = {});
 
 /// Reads the text of experiment.toml, or of a sample file that it names.
 /// \throws Error at the place of the name, or that names the file
@@ -45,10 +46,11 @@ Experiment read_experiment(const std::filesystem::path& folder, const ReadFile& 
 
 /// The same before any measurement. A run without samples describes the bench by its control and rest shape,
 /// and has no readings; of other runs the commands count. All channels with a noise are measured; their
-/// values are empty, or taken as empty.
+/// values are empty, or taken as empty. Of an arm in space every run has its poses.
 ///
 /// \throws Error likewise, and where a run measures nothing that has a noise
-Experiment read_plan(const std::filesystem::path& folder, const NominalChain* model = nullptr);
+Experiment read_plan(const std::filesystem::path& folder, const NominalChain* model = nullptr,
+                     const ReadArm& arm = {});
 Experiment read_plan(const std::filesystem::path& folder, const ReadFile& read,
                      const NominalChain* model = nullptr);
 Experiment read_plan(const toml::table& settings, const std::string& source, const ReadParts& read,

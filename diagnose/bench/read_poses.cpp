@@ -100,7 +100,9 @@ class PoseReader {
  private:
   enum class Turn { none, vector, quaternion };
 
-  [[nodiscard]] std::string header() const { return source_ + ":" + std::to_string(table_.header_line); }
+  [[nodiscard]] std::string header() const {
+    return table_.header_line == 0 ? source_ : source_ + ":" + std::to_string(table_.header_line);
+  }
   [[nodiscard]] std::string where(std::size_t row) const { return table_.place_of(row, source_); }
   [[nodiscard]] bool has_any(const ColumnNames& names) const {
     return std::any_of(names.begin(), names.end(),

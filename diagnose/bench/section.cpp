@@ -36,7 +36,8 @@ std::string Section::place(const std::string& key) const {
 }
 
 std::string Section::where() const {
-  return source_ + ":" + std::to_string(table_->source().begin.line);
+  const auto number = table_->source().begin.line;  // 0 of what no text holds
+  return number == 0 ? source_ : source_ + ":" + std::to_string(number);
 }
 
 std::vector<std::string> Section::keys() const {

@@ -100,7 +100,7 @@ std::map<Channel, double> rms_of(const Measurements& measurements, const std::ve
   for (std::size_t s = 0; s < values.size(); ++s) {
     const Series& series = measurements.series()[s];
     for (const Eigen::Index i : values[s])
-      sum[series.channel] += std::pow(series.sigma * residual(i), 2), count[series.channel] += 1;
+      sum[series.channel] += std::pow(measurements.sigma()(i) * residual(i), 2), count[series.channel] += 1;
   }
   for (auto& [channel, squares] : sum) squares = std::sqrt(squares / count[channel]);
   return sum;

@@ -4,6 +4,7 @@
 #include <plumbline/base/error.hpp>
 
 #include "diagnose/bench/unmeasured.hpp"
+#include "diagnose/design/candidate_poses.hpp"
 #include "diagnose/design/candidate_runs.hpp"
 #include "diagnose/inference/start.hpp"
 #include "diagnose/rig/nominal.hpp"
@@ -37,10 +38,13 @@ std::vector<CandidateRun> planned_runs(const Experiment& bench) {
   return all;
 }
 
-/// Presses and loads, there and back, that the nominal model can follow within the operating envelope.
-std::vector<CandidateRun> further_runs(const Experiment& bench, const OperatingEnvelope& so_far) {
+/// Presses and loads, there and back, that the nominal model can follow within the operating envelope; of an
+/// arm in space its poses.
+std::vector<CandidateRun> further_runs(const Study& described) {
+  const Experiment& bench = described.experiment();
+  if (bench.arm) return candidate_poses(bench);
   std::vector<CandidateRun> all;
-  for (CandidateRun& one : candidate_runs(bench, most_shapes, so_far))
+  for (CandidateRun& one : candidate_runs(bench, most_shapes, operating_envelope(described)))
     if (one.run.turns_back()) all.push_back(std::move(one));
   return all;
 }
@@ -149,8 +153,7 @@ DesignSpace design_space(const Experiment& bench) {
   DesignSpace space;
   std::vector<CandidateRun> candidates = planned_runs(bench);
   space.planned = candidates.size();
-  for (CandidateRun& one : further_runs(bench, operating_envelope(described)))
-    candidates.push_back(std::move(one));
+  for (CandidateRun& one : further_runs(described)) candidates.push_back(std::move(one));
   const auto measured = [&] {
     const Experiment all = with_runs(bench, candidates);
     return measured_as(all, simulate(all, nominal_rig(all), {}));

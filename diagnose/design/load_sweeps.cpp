@@ -13,10 +13,7 @@ namespace {
 CommandRange range_of(const Experiment& experiment, std::size_t covariate) {
   CommandRange range;
   for (const Run& run : experiment.runs)
-    for (const Reading& reading : run.readings) {
-      range.low = std::min(range.low, reading.covariates[covariate]);
-      range.high = std::max(range.high, reading.covariates[covariate]);
-    }
+    for (const Reading& reading : run.readings) range.add(reading.covariates[covariate]);
   return range;
 }
 

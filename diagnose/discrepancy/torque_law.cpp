@@ -153,10 +153,10 @@ LawFolds sums_of(const Study& study, const Response& rig, const Placement& place
         if (series.run != run) continue;
         const auto answer = rig.per_torque[a][run].col(column_of(series.channel));
         for (std::size_t i = 0; i < series.readings.size(); ++i) {
-          const auto reading = static_cast<Eigen::Index>(series.readings[i]);
-          slopes.row(static_cast<Eigen::Index>(series.first + i))
-              .segment(static_cast<Eigen::Index>(b) * own, own) +=
-              answer(reading) / (series.sigma * noise.of(series.channel).scale) *
+          const auto reading = static_cast<Eigen::Index>(series.readings[i]),
+                     row = static_cast<Eigen::Index>(series.first + i);
+          slopes.row(row).segment(static_cast<Eigen::Index>(b) * own, own) +=
+              answer(reading) / (study.measurements().sigma()(row) * noise.of(series.channel).scale) *
               terms.row(reading).head(own);
         }
       }
@@ -225,9 +225,9 @@ VectorXd to_explain(const Study& study, const NoiseEstimate& noise, const Respon
         if (series.run != run) continue;
         const auto answer = with.per_torque[a][run].col(column_of(series.channel));
         for (std::size_t i = 0; i < series.readings.size(); ++i) {
-          const auto reading = static_cast<Eigen::Index>(series.readings[i]);
-          residual(static_cast<Eigen::Index>(series.first + i)) +=
-              answer(reading) * torque(reading) / series.sigma;
+          const auto reading = static_cast<Eigen::Index>(series.readings[i]),
+                     row = static_cast<Eigen::Index>(series.first + i);
+          residual(row) += answer(reading) * torque(reading) / study.measurements().sigma()(row);
         }
       }
     });

@@ -55,7 +55,7 @@ Written written_arm(const Model& model, Format format) {
   const std::vector<Carried> others = others_of(experiment);
   if (format == Format::toml) return {"# " + model.title + "\n" + arm_toml(nominal), others};
   if (model.source.empty() || format_of(model.source) != format)
-    throw Error("--corrected", "an arm that was not read from a file of this format",
+    throw Error("corrected model", "an arm that was not read from a file of this format",
                 model.source.empty() ? std::string("a file .toml")
                                      : "a file " + model.source.extension().string() + ", or .toml");
   CorrectedArm corrected{model.title, model.source, {nominal.base, nominal.tip}, nominal.arm};

@@ -19,7 +19,6 @@ struct Series {
   Channel channel;
   std::size_t first;                  ///< place of its first value in the flat list
   std::vector<std::size_t> readings;  ///< of each value: the number of its reading in the run
-  double sigma;                       ///< declared standard deviation of a value, SI
 };
 
 /// The values of one channel in all runs: neighbours in the flat list.
@@ -45,7 +44,8 @@ class Measurements {
   [[nodiscard]] std::size_t size() const { return places_.size(); }
   /// By value.
   [[nodiscard]] const std::vector<ReadingPlace>& places() const { return places_; }
-  /// By value: as it was read, and its declared standard deviation, SI; when it was read, s.
+  /// By value: as it was read, and its declared standard deviation, SI, with what the nominal model passes on
+  /// of the noise of imposed channels; when it was read, s.
   [[nodiscard]] const VectorXd& value() const { return value_; }
   [[nodiscard]] const VectorXd& sigma() const { return sigma_; }
   [[nodiscard]] const VectorXd& time() const { return time_; }

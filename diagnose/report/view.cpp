@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnose/bench/command_range.hpp"
+
 namespace plumbline::diagnose {
 namespace {
 
@@ -137,11 +139,9 @@ Command command_of_joint_alone(const Run& run) {
 
 /// The range of a load's values.
 double range_of(const Run& run, const LoadChannel& load) {
-  const auto [least, most] =
-      std::minmax_element(run.readings.begin(), run.readings.end(), [&](const Reading& a, const Reading& b) {
-        return a.covariates[load.covariate] < b.covariates[load.covariate];
-      });
-  return most->covariates[load.covariate] - least->covariates[load.covariate];
+  CommandRange range;
+  for (const Reading& reading : run.readings) range.add(reading.covariates[load.covariate]);
+  return range.high - range.low;
 }
 
 /// The load along the chain that moves the command most; nothing where the imposed channels move it more.

@@ -18,11 +18,19 @@ ArmRig ArmRig::nominal(const Experiment& experiment) {
   return rig;
 }
 
+Vector3<double> ArmRig::tool_turn(const Vector3<double>& moment) const {
+  Vector3<double> turn = tool_compliance * moment;
+  if (const double size = moment.norm(); size > 0) turn += tool_play / size * moment;
+  if (const double side = moment.dot(tool_hinge); side != 0) turn += std::copysign(1.0, side) * tool_hinge;
+  return turn;
+}
+
 bool operator==(const ArmRig& a, const ArmRig& b) {
   const auto plain = [](const ArmRig& r) {
     return std::tie(r.arm, r.zero, r.scale, r.ripple, r.balance, r.expansion, r.compensated,
-                    r.mount_compliance, r.tracker_scale, r.points, r.load, r.wrench_scale, r.wrench_bias,
-                    r.angle_bias, r.angle_scale, r.torque_bias, r.torque_scale);
+                    r.mount_compliance, r.tool_compliance, r.tool_play, r.tool_hinge, r.tracker_scale,
+                    r.points, r.load, r.wrench_scale, r.wrench_bias, r.angle_bias, r.angle_scale,
+                    r.torque_bias, r.torque_scale);
   };
   return plain(a) == plain(b) && a.tracker.matrix() == b.tracker.matrix();
 }

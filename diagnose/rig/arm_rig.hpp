@@ -23,6 +23,11 @@ struct ArmRig {
   double compensated = 0;  ///< share of the nominal torque of gravity that the servos hold without yielding
   /// Turn of the base about its x and y by the moment on it, rad/(N m).
   Eigen::Vector2d mount_compliance = Eigen::Vector2d::Zero();
+  // The tool tips about the origin of the last link, in the axes of that link.
+  double tool_compliance = 0;  ///< by the moment on it, rad/(N m)
+  double tool_play = 0;        ///< by as much as it can, in the direction of the moment, rad
+  /// About this axis by as much as its length, to the side to which the moment turns it, rad.
+  Vector3<double> tool_hinge = Vector3<double>::Zero();
 
   // Instruments.
   Pose<double> tracker = Pose<double>::Identity();  ///< the frame of the tracker, in the world
@@ -36,9 +41,14 @@ struct ArmRig {
 
   /// The arm and the bench of an experiment, without any error.
   static ArmRig nominal(const Experiment& experiment);
+  /// Rotation vector of the tool in the axes of the last link.
+  /// \param moment  on the tool, in these axes, N m
+  [[nodiscard]] Vector3<double> tool_turn(const Vector3<double>& moment) const;
   /// By how much a joint stands off what its encoder says.
   [[nodiscard]] double encoder_error(std::size_t joint, double q) const {
-    return scale[joint] * q + zero[joint] + ripple[joint].dot(Eigen::Vector2d(std::cos(q), std::sin(q)));
+    const double even = scale[joint] * q + zero[joint];
+    if (ripple[joint].isZero(0)) return even;
+    return even + ripple[joint].dot(Eigen::Vector2d(std::cos(q), std::sin(q)));
   }
   friend bool operator==(const ArmRig& a, const ArmRig& b);
 };

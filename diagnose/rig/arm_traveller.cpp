@@ -106,6 +106,7 @@ ArmLoads<double> ArmTraveller::loads(const ArmPosture<double>& posture) const {
   all.force -= held_;
   for (std::size_t i = 0; i < joint_.size(); ++i) {
     const Eigen::Vector2d& amount = on_.rig.arm->balance[i];
+    if (amount.isZero(0)) continue;
     const Eigen::Index k = joint_[i];
     const double c = std::cos(coordinate_(k)), s = std::sin(coordinate_(k));
     all.force(k) += amount.dot(Eigen::Vector2d(c, s));
@@ -250,15 +251,39 @@ double ArmTraveller::torque_of_drive(std::size_t joint, double load) const {
   return history_torque(now, joint, coordinate_(joint_[joint]), contacts_of(joint)).value - load;
 }
 
+/// The tool's weight is that of the last link, at the tip. The tip's own motion changes the moment by its
+/// small size, and that is left.
+Vector3<double> ArmTraveller::turn_of_tool(const ArmPosture<double>& posture) const {
+  const ArmRig& rig = *on_.rig.arm;
+  const std::size_t last = arm_.size() - 1;
+  const Pose<double>& frame = posture.frame(last);
+  constexpr double unweighed = 1e-3;  // kg: a tool whose model has no mass still hangs by its weight
+  const double mass = std::max(arm_.links[last].mass, unweighed);
+  Vector3<double> moment = (frame.linear() * arm_.tip.translation()).cross(mass * arm_.gravity);
+  for (const ArmWrench<double>& one : wrenches_)
+    if (one.at.link == last)
+      moment += one.moment + (posture.of(one.at).translation() - frame.translation()).cross(one.force);
+  return rig.tool_turn(frame.linear().transpose() * moment);
+}
+
+/// Where a point of the bench is.
+Pose<double> ArmTraveller::of(const OnLink<double>& point, const ArmPosture<double>& posture,
+                              const Vector3<double>& tool_turn) const {
+  OnLink<double> at = expanded(point);
+  if (at.link + 1 == arm_.size()) at.frame = Pose<double>(rotation_by(tool_turn)) * at.frame;
+  return posture.of(at);
+}
+
 void ArmTraveller::write(const Reading& reading, Eigen::Ref<Eigen::ArrayXd> row) const {
   const ArmRig& rig = *on_.rig.arm;
   const ArmPosture<double> posture(arm_, coordinate_);
+  const Vector3<double> tipped = turn_of_tool(posture);
   for (std::size_t i = 0; i < joint_.size(); ++i) {
     const double q = coordinate_(joint_[i]) - rig.encoder_error(i, command_[i]);
     row(column_of({Channel::Name::q, i})) = (1 + rig.angle_scale[i]) * q + rig.angle_bias[i];
   }
   for (std::size_t p = 0; p < rig.points.size() && !reading.points.empty(); ++p) {
-    const Pose<double> seen = rig.tracker.inverse() * posture.of(expanded(rig.points[p]));
+    const Pose<double> seen = rig.tracker.inverse() * of(rig.points[p], posture, tipped);
     const Vector3<double> place = (1 + rig.tracker_scale) * seen.translation();
     for (std::size_t axis = 0; axis < 3; ++axis)
       row(column_of({Channel::Name::place, 3 * p + axis})) = place(static_cast<Eigen::Index>(axis));

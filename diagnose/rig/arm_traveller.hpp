@@ -37,6 +37,9 @@ class ArmTraveller {
   void expand(const Reading& reading);
   /// A place on a link at that temperature.
   [[nodiscard]] OnLink<double> expanded(OnLink<double> at) const;
+  [[nodiscard]] Vector3<double> turn_of_tool(const ArmPosture<double>& posture) const;
+  [[nodiscard]] Pose<double> of(const OnLink<double>& point, const ArmPosture<double>& posture,
+                                const Vector3<double>& tool_turn) const;
   void hold_weight();
   /// Loads at a posture: of gravity, wrenches and balances, less what the servos hold.
   [[nodiscard]] ArmLoads<double> loads(const ArmPosture<double>& posture) const;

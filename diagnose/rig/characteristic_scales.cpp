@@ -115,6 +115,8 @@ void add_arm(const Experiment& experiment, CharacteristicScales& size) {
         size.moves[j] = size.moves[j] || std::abs(reading.rest[j] - experiment.runs.front().rest[j]) > 1e-3;
     }
   }
+  for (const MeasuredPoint& point : experiment.arm_bench.points)
+    size.tool_is_measured = size.tool_is_measured || point.at.link + 1 == arm.size();
   const double kilogram = 1, weight = mass * arm.gravity.norm();
   size.imposes_force = force > 0;
   size.mass = mass > 0 ? mass / static_cast<double>(arm.size()) : kilogram;

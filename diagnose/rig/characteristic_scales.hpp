@@ -43,6 +43,7 @@ struct CharacteristicScales {
   double mass = 0;                        ///< of the mean link, kg
   bool yields = false;                    ///< some joint or link yields
   bool warms = false;                     ///< its temperature is noted, and changes
+  bool tool_is_measured = false;          ///< some measured point is on the last link
 
   /// Stiffness of a joint; for a passive joint the mean of the elastic ones.
   [[nodiscard]] double stiffness_at(std::size_t joint) const {

@@ -56,8 +56,9 @@ const std::vector<Effect>& catalogue() {
 
 const std::vector<Effect>& arm_catalogue() {
   static const std::vector<Effect> all = [] {
-    std::vector<Effect> rows = arm_joint_effects();
-    for (Effect& row : arm_bench_effects()) rows.push_back(std::move(row));
+    std::vector<Effect> rows;
+    for (const auto& group : {arm_joint_effects, arm_tool_effects, arm_bench_effects})
+      for (Effect& row : group()) rows.push_back(std::move(row));
     return rows;
   }();
   return all;

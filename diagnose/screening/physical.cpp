@@ -229,9 +229,14 @@ void require_chain(const Experiment& experiment) {
 }  // namespace
 
 void require_bench(const Experiment& bench) {
-  if (bench.arm)
-    throw Error("experiment \"" + bench.name + "\"", "an arm in space",
-                "a chain in the plane: arms are not planned");
+  if (bench.arm) {
+    require_arm(bench);
+    const Noise& noise = bench.noise;
+    if (!(std::max({noise.place, noise.turn, noise.q, noise.torque}) > 0))
+      throw Error("noise", "no figure for anything that an arm's bench measures",
+                  "a positive one for place, turn, q or torque");
+    return;
+  }
   require_chain(bench);
   for (const Run& run : bench.runs) require_anything_measured(run, bench.noise);
 }

@@ -41,10 +41,10 @@ struct ArmFreedom {
   }
 };
 
-/// Whether a link yields at all.
+/// Whether a link yields at all: a compliance whose diagonal is zero is zero, for no wrench gives work back.
 template <Floating Real>
 bool yields(const ArmLink<Real>& link) {
-  return !(link.compliance == Matrix6<Real>::Zero());
+  return !link.compliance.diagonal().isZero(Real(0));
 }
 
 /// Number of freedoms: joints, and six for each link that yields.

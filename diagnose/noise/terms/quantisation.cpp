@@ -63,10 +63,10 @@ class Quantisation final : public NoiseTerm {
     for (const Series& series : evidence.measurements.series()) {
       const auto first = static_cast<Eigen::Index>(series.first), count = static_cast<Eigen::Index>(series.readings.size());
       const auto values = evidence.measurements.value().segment(first, count);
-      const double step = display_step(values) / series.sigma;
+      const double step = display_step(values);
       const std::vector<double> times = repetitions(values);
       for (Eigen::Index i = 0; step > 0 && i < count; ++i)
-        wider(first + i) = std::sqrt(shared_error(step, times[static_cast<std::size_t>(i)]));
+        wider(first + i) = std::sqrt(shared_error(step / evidence.measurements.sigma()(first + i), times[static_cast<std::size_t>(i)]));
     }
     if ((wider.array() == 1).all()) return std::nullopt;
     constexpr double certain = std::numeric_limits<double>::infinity();

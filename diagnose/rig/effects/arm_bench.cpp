@@ -82,21 +82,6 @@ std::vector<Effect> links() {
            },
        .possible =
            [](const Place& at) { return at.scales.arm->arm.far_end(at.joint).translation().norm() > 0; }},
-      {.id = "tool_mass",
-       .words = "a mass at the tip that the model does not have",
-       .parameters =
-           [](const Place& at) {
-             return std::vector{one_way("m", "kg", 0.1 * at.scales.mass, 20 * at.scales.mass)};
-           },
-       .add =
-           [](const Addition& to) {
-             SerialArm<double>& arm = to.rig.arm->arm;
-             ArmLink<double>& last = arm.links.back();
-             const double sum = last.mass + to.value[0];
-             if (sum > 0) last.centre = (last.mass * last.centre + to.value[0] * arm.tip.translation()) / sum;
-             last.mass = sum;
-           },
-       .possible = loads_show},
   };
 }
 

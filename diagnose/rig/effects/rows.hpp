@@ -15,6 +15,7 @@ std::vector<Effect> joint_law_effects();
 std::vector<Effect> friction_effects();
 std::vector<Effect> instrument_effects();
 std::vector<Effect> arm_joint_effects();
+std::vector<Effect> arm_tool_effects();
 std::vector<Effect> arm_bench_effects();
 
 }  // namespace plumbline::diagnose

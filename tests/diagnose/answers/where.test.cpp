@@ -29,11 +29,13 @@ Experiment presses(const std::vector<int>& readings) {
 Study read_off(Experiment experiment, const VectorXd& residual) {
   const Study bare(experiment);
   for (const Series& series : bare.measurements().series())
-    for (std::size_t i = 0; i < series.readings.size(); ++i)
+    for (std::size_t i = 0; i < series.readings.size(); ++i) {
+      const auto row = static_cast<Eigen::Index>(series.first + i);
       series.channel.in(experiment.runs[series.run].readings[series.readings[i]]) =
           bare.nominal().runs[series.run](static_cast<Eigen::Index>(series.readings[i]),
                                           column_of(series.channel)) +
-          series.sigma * residual(static_cast<Eigen::Index>(series.first + i));
+          bare.measurements().sigma()(row) * residual(row);
+    }
   return Study(experiment);
 }
 

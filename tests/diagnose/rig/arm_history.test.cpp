@@ -198,3 +198,35 @@ TEST_CASE("an arm that grows reaches out by its length, the rate and the warmth 
   CHECK(is_possible(study));
   CHECK_FALSE(is_possible(Study(with_temperatures(20))));
 }
+
+TEST_CASE("a tool yields to its weight and load, and a loose one drops to whichever side hangs down") {
+  constexpr double b = 0.01, c = 1e-4;
+  const double away = std::acos(-1.0);
+  Experiment experiment = commanded_bar(0, {0.0, away, 0.0});
+  experiment.runs.front().readings[2].wrench = {0, 0, 60, 0, 0, 0};  // lifts more than the 2 kg of the bar
+  const Study study(experiment);
+  const double weight = 2 * 9.81;
+  const auto drop = [&](const Candidate& what, const std::vector<double>& values, Eigen::Index reading) {
+    const Prediction prediction = predict(study, what, values);
+    REQUIRE(prediction.reached);
+    return -place_of_tip(prediction.runs[0], reading).z();
+  };
+  const Candidate yielding = only("tool_compliance"), loose{{EffectAt("tool_play")}};
+  const double moment[3] = {weight, weight, weight - 60};  // on a lever of 1 m
+  for (const Eigen::Index r : {0, 1, 2}) {
+    // sin(pi) is not zero to rounding
+    CHECK(drop(yielding, {c}, r) == doctest::Approx(std::sin(c * moment[r])).epsilon(1e-12));
+    CHECK(drop(loose, {b}, r) == doctest::Approx(std::copysign(std::sin(b), moment[r])).epsilon(1e-12));
+  }
+  const Effect* hinged = nullptr;
+  for (const Effect& row : arm_catalogue())
+    if (row.form == "about one axis") hinged = &row;
+  REQUIRE(hinged != nullptr);
+  const Candidate about_one_axis{{EffectAt(*hinged)}};
+  for (const Eigen::Index r : {0, 1, 2})
+    for (const double side : {1.0, -1.0}) {
+      CHECK(drop(about_one_axis, {0, side * b, 0}, r) ==
+            doctest::Approx(std::copysign(std::sin(b), moment[r])).epsilon(1e-12));
+      CHECK(std::abs(drop(about_one_axis, {side * b, 0, 0}, r)) < 1e-12);  // no moment about it
+    }
+}

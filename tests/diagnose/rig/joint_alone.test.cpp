@@ -169,10 +169,10 @@ TEST_CASE("at a joint that slides every unit of turning is one of sliding") {
 TEST_CASE("noise of the imposed channel reaches the measured one through the spring") {
   Experiment held = joint_alone(Control::end_point, 10, 0.4);
   for (Reading& one : held.runs[0].readings) one.Fx = 10 * (one.x - 0.05);
-  CHECK(Study(held).measurements().series()[0].sigma == doctest::Approx(std::hypot(1e-3, 10 * 1e-4)));
+  CHECK(Study(held).measurements().sigma()(0) == doctest::Approx(std::hypot(1e-3, 10 * 1e-4)));
   Experiment loaded = joint_alone(Control::force, 10, 0.4);
   for (Reading& one : loaded.runs[0].readings) one.x = 0.05 + one.Fx / 10;
-  CHECK(Study(loaded).measurements().series()[0].sigma == doctest::Approx(std::hypot(1e-4, 1e-3 / 10)));
+  CHECK(Study(loaded).measurements().sigma()(0) == doctest::Approx(std::hypot(1e-4, 1e-3 / 10)));
 }
 
 TEST_CASE("ranges of angles follow joints that hardly turn") {
