@@ -1,5 +1,6 @@
 """Rows of the catalogue that nobody could tell from a planted cause at these readings: their best fit leaves less than the noise can show."""
 from dataclasses import dataclass
+from itertools import combinations, product
 
 import numpy as np
 from scipy.optimize import least_squares
@@ -99,40 +100,31 @@ class Readings:
         return found
 
 
-def tolerances(bench, planted):
-    """Rows of tolerances that have the planted values well within their tolerances (docs/effects.md): twice these."""
-    row, place, x = planted
-    if bench.size < 2:
-        return []
-    if row.id in ("joint_stiffness", "stiffness_scale") and abs(x[0]) <= 0.2:
-        return ["stiffness_spread"]
-    if row.id in ("link_length", "length_scale") and abs(x[0]) <= 0.02:
-        return ["length_spread"]
-    if row.id in ("rest_angle", "rest_offset") and abs(x[0]) <= 0.04:
-        return ["rest_spread"]
-    if row.id == "backlash" and x[0] <= 0.04:
-        return ["play"]
-    return []
+# Rows of tolerances at every joint or link, what they contain, and twice their tolerances (docs/effects.md).
+TOLERANCES = (("stiffness_spread", ("joint_stiffness", "stiffness_scale"), 0.2), ("length_spread", ("link_length", "length_scale"), 0.02),
+              ("rest_spread", ("rest_angle", "rest_offset"), 0.04), ("play", ("backlash",), 0.04))
+TOGETHER = ("stiffness_spread", "length_spread", "rest_spread")  # they count as one cause
 
 
-def aliases(bench, planted):
-    """Explanations, each a list of keys, that leave no more than nobody could tell. `planted` is a list of (row, place, values)."""
-    readings = Readings(bench)
-    rows, values = [(row, place) for row, place, _ in planted], [np.array(x) for _, _, x in planted]
-    change = readings.of_rows(rows, values)
-    true_keys = sorted(key(*one) for one in rows)
-    single = readings.singles(change)
-    found = [fit.keys for fit in single if fit.left < UNTOLD]
-    if len(planted) == 1:
-        found += [[id] for id in tolerances(bench, planted[0])]
-    else:
-        for kept, other in ((0, 1), (1, 0)):
-            known = Fit((rows[kept],), [values[kept]], 0.0)
-            found += [fit.keys for fit in readings.beside(known, change, UNTOLD)]
-            found += [[key(*rows[kept]), id] for id in tolerances(bench, planted[other])]
-        found += both_replaced(readings, rows, values, change)
-    unique = {tuple(sorted(keys)) for keys in found if not contain(keys, true_keys)} - {tuple(true_keys)}
-    return [list(keys) for keys in sorted(unique)]
+def within_tolerance(bench, row, x):
+    """The row of tolerances that contains an effect of this size; nothing where there is none."""
+    if bench.size > 1:
+        for id, kinds, most in TOLERANCES:
+            if row.id in kinds and abs(x[0]) <= most:
+                return id
+    return None
+
+
+def with_tolerances(bench, fit):
+    """A fit's keys, and those with some or all of its effects as tolerances, alone and beside the other tolerances."""
+    choices = [[key(*row), within_tolerance(bench, row[0], x)] for row, x in zip(fit.rows, fit.values)]
+    found = set()
+    for picks in product(*([one for one in choice if one] for choice in choices)):
+        found.add(tuple(sorted(set(picks))))
+        if any(pick in TOGETHER for pick in picks):
+            others = [id for id in TOGETHER if id not in picks]
+            found |= {tuple(sorted({*picks, *extra})) for n in (1, 2) for extra in combinations(others, n)}
+    return found
 
 
 def contain(keys, true_keys):
@@ -140,16 +132,31 @@ def contain(keys, true_keys):
     return any((one, true) in CONTAINS and one not in true_keys for one in keys for true in true_keys)
 
 
-def both_replaced(readings, rows, values, change):
+def aliases(bench, planted):
+    """Explanations, each a list of keys, that leave no more than nobody could tell. `planted` is a list of (row, place, values)."""
+    readings = Readings(bench)
+    true = Fit(tuple((row, place) for row, place, _ in planted), [np.array(x) for _, _, x in planted], 0.0)
+    change = readings.of_rows(true.rows, true.values)
+    fits = [fit for fit in readings.singles(change) if fit.left < UNTOLD]
+    if len(planted) == 2:
+        for known in (0, 1):
+            fits += readings.beside(Fit((true.rows[known],), [true.values[known]], 0.0), change, UNTOLD)
+        fits += both_replaced(readings, true, change)
+    keys = set().union(*(with_tolerances(bench, fit) for fit in [true, *fits]))
+    return [list(one) for one in sorted(keys - {tuple(sorted(true.keys))}) if not contain(one, true.keys)]
+
+
+def both_replaced(readings, true, change):
     """Pairs of an alias of each."""
-    own = [[fit for fit in readings.singles(readings.of_rows([row], [x])) if fit.left < UNTOLD and fit.rows[0] != row] for row, x in zip(rows, values)]
+    own = [[fit for fit in readings.singles(readings.of_rows([row], [x])) if fit.left < UNTOLD and fit.rows[0] != row]
+           for row, x in zip(true.rows, true.values)]
     found = []
     for first in own[0]:
         for second in own[1]:
             if first.rows != second.rows:
                 both = readings.fit(change, [*first.rows, *second.rows], [*first.values, *second.values])
                 if both.left < UNTOLD:
-                    found.append(both.keys)
+                    found.append(both)
     return found
 
 

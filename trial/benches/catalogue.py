@@ -259,8 +259,8 @@ JOINTS = (
 )
 
 CHAINS = (
-    Row("link_length", ("a",), put_length, places=each_joint, possible=is_chain, most=15, **one_of(ratio(0.02))),
-    Row("length_scale", ("a",), put_length, possible=several, most=15, **one_of(ratio(0.02))),
+    Row("link_length", ("a",), put_length, places=each_joint, possible=is_chain, most=12, **one_of(ratio(0.02))),
+    Row("length_scale", ("a",), put_length, possible=several, most=12, **one_of(ratio(0.02))),
     Row("gravity", ("rho",), put_number("line_mass"), possible=weighed, **size_of(lambda b, p: weight_scale(b, p) / 9.81 / b.length.sum())),
     Row("mass_scale", ("a",), put_number("mass"), possible=lambda b: weighed(b) and b.mass is not None, most=9, **one_of(ratio(0.1))),
     Row("tip_payload", ("weight",), put_number("payload"), possible=weighed, **size_of(weight_scale)),
