@@ -14,10 +14,14 @@ def round_to(value, digits):
 
 
 def path(kind, amplitude, count):
-    """Imposed values from rest: a ramp, there and back, or loops through both sides."""
+    """Imposed values from rest: a ramp, there and back, or loops through both sides.
+
+    No reading after the first is at nought, where the place of a joint with play would be anything; 0.6 of a step misses it on every way back.
+    """
     turns = {"ramp": [0, 1], "back": [0, 1, 0], "loop": [0, 1, -1, 0], "two loops": [0, 1, -1, 1, -1, 0]}[kind]
     way = np.concatenate([[0], np.cumsum(np.abs(np.diff(turns)))])
-    return amplitude * np.interp(np.linspace(0, way[-1], count), way, turns)
+    positions = np.concatenate([[0.0], np.arange(1, count) - 0.4]) * way[-1] / (count - 1)
+    return amplitude * np.interp(positions, way, turns)
 
 
 def draw_path(random, turning):

@@ -57,7 +57,7 @@ class JointLaw:
             low, high = np.where(f < 0, d, low), np.where(f < 0, high, d)
             with np.errstate(divide="ignore", invalid="ignore"):
                 step = d - f / slope
-            step = np.where((step > low) & (step < high), step, (low + high) / 2)
+            step = np.where(f == 0, d, np.where((step > low) & (step < high), step, (low + high) / 2))  # in play without torque it stays
             if np.max(np.abs(step - d)) < CLOSE * reach:
                 return step
             d = step
