@@ -1,18 +1,18 @@
 """Rows of the catalogue that nobody could tell from a planted cause at these readings: their best fit leaves less than the noise can show."""
 from dataclasses import dataclass
-from itertools import combinations, product
 
 import numpy as np
 from scipy.optimize import least_squares
 
 from catalogue import CONTAINS, key, rows_at
 from statics import clean_readings
+from tolerances import imitating_tolerances, with_tolerances
 from truth import Truth
 
 UNTOLD = 2.0  # standard deviations of all readings together: two nats of likelihood
 NEAR = 0.6  # of the change that a start may leave, scaled, for a fit to be tried
 NEAR_BESIDE = 0.9  # the same of a second row, of what the first leaves
-FIRST = 3  # rows that are extended by every other, where the cause is outside the catalogue
+FIRST = 3  # rows that are extended by every other, where two effects or a cause outside the catalogue are planted
 EVALUATIONS = 25
 
 
@@ -100,33 +100,6 @@ class Readings:
         return found
 
 
-# Rows of tolerances at every joint or link, what they contain, and twice their tolerances (docs/effects.md).
-TOLERANCES = (("stiffness_spread", ("joint_stiffness", "stiffness_scale"), 0.2), ("length_spread", ("link_length", "length_scale"), 0.02),
-              ("rest_spread", ("rest_angle", "rest_offset"), 0.04), ("play", ("backlash",), 0.04))
-TOGETHER = ("stiffness_spread", "length_spread", "rest_spread")  # they count as one cause
-
-
-def within_tolerance(bench, row, x):
-    """The row of tolerances that contains an effect of this size; nothing where there is none."""
-    if bench.size > 1:
-        for id, kinds, most in TOLERANCES:
-            if row.id in kinds and abs(x[0]) <= most:
-                return id
-    return None
-
-
-def with_tolerances(bench, fit):
-    """A fit's keys, and those with some or all of its effects as tolerances, alone and beside the other tolerances."""
-    choices = [[key(*row), within_tolerance(bench, row[0], x)] for row, x in zip(fit.rows, fit.values)]
-    found = set()
-    for picks in product(*([one for one in choice if one] for choice in choices)):
-        found.add(tuple(sorted(set(picks))))
-        if any(pick in TOGETHER for pick in picks):
-            others = [id for id in TOGETHER if id not in picks]
-            found |= {tuple(sorted({*picks, *extra})) for n in (1, 2) for extra in combinations(others, n)}
-    return found
-
-
 def contain(keys, true_keys):
     """Whether an explanation has a richer row in the place of a true one that it contains."""
     return any((one, true) in CONTAINS and one not in true_keys for one in keys for true in true_keys)
@@ -137,12 +110,17 @@ def aliases(bench, planted):
     readings = Readings(bench)
     true = Fit(tuple((row, place) for row, place, _ in planted), [np.array(x) for _, _, x in planted], 0.0)
     change = readings.of_rows(true.rows, true.values)
-    fits = [fit for fit in readings.singles(change) if fit.left < UNTOLD]
+    single = readings.singles(change, NEAR if len(planted) == 1 else NEAR_BESIDE)
+    fits = [fit for fit in single if fit.left < UNTOLD]
+    keys = imitating_tolerances(readings, change, Fit((), [], 0.0), UNTOLD)
     if len(planted) == 2:
-        for known in (0, 1):
-            fits += readings.beside(Fit((true.rows[known],), [true.values[known]], 0.0), change, UNTOLD)
+        for known in (Fit((row,), [x], 0.0) for row, x in zip(true.rows, true.values)):
+            fits += readings.beside(known, change, UNTOLD)
+            keys |= imitating_tolerances(readings, change, known, UNTOLD)
         fits += both_replaced(readings, true, change)
-    keys = set().union(*(with_tolerances(bench, fit) for fit in [true, *fits]))
+        for first in single[:FIRST]:
+            fits += readings.beside(first, change, UNTOLD)
+    keys = keys.union(*(with_tolerances(bench, fit) for fit in [true, *fits]))
     return [list(one) for one in sorted(keys - {tuple(sorted(true.keys))}) if not contain(one, true.keys)]
 
 
@@ -166,5 +144,7 @@ def is_imitated(bench, truth, enough):
     change = readings.of(truth)
     single = readings.singles(change, NEAR_BESIDE)
     if single and single[0].left < enough:
+        return True
+    if imitating_tolerances(readings, change, Fit((), [], 0.0), enough):
         return True
     return any(readings.beside(first, change, enough) for first in single[:FIRST])

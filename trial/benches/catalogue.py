@@ -239,15 +239,15 @@ JOINTS = (
     Row("rest_offset", ("a",), put_rest, possible=several, **one_of(of_deflection(0.1))),
     Row("asymmetric_spring", ("e",), put_uneven, most=8, **one_of(ratio(0.1))),
     Row("piecewise_spring", ("s", "a"), put_knee, lambda b, p, r: [r.uniform(0.2, 0.7) * of_deflection(1)(b, p), 0.2], thresholds(ratio(0.3)),
-        scaled=(1,), most=4.5),
+        possible=several, scaled=(1,), most=4.5),
     Row("piecewise_spring", ("s", "a"), put_knee, lambda b, p, r: [r.uniform(0.2, 0.7) * of_deflection(1)(b, p), 0.2], thresholds(ratio(0.3)),
-        each_joint, several, scaled=(1,), most=4.5),
+        each_joint, scaled=(1,), most=4.5),
     Row("joint_stops", ("s", "k_s"), put_stop, lambda b, p, r: [r.uniform(0.3, 0.8) * of_deflection(1)(b, p), b.stiffness.mean()],
         thresholds(of_stiffness(1)), possible=several, scaled=(1,), most=100),
     Row("hysteresis", ("r_1", "d_1"), put_hysteresis, lambda b, p, r: [0.5, r.uniform(0.1, 0.4) * of_deflection(1)(b, p)],
-        lambda b, p: [[0.5, share * of_deflection(1)(b, p)] for share in (0.1, 0.4)], possible=reverses, most=6, alone=True),
+        lambda b, p: [[0.5, share * of_deflection(1)(b, p)] for share in (0.1, 0.4)], possible=lambda b: reverses(b) and several(b), most=6, alone=True),
     Row("hysteresis", ("r_1", "d_1"), put_hysteresis, lambda b, p, r: [0.5, r.uniform(0.1, 0.4) * of_deflection(1)(b, p)],
-        lambda b, p: [[0.5, share * of_deflection(1)(b, p)] for share in (0.1, 0.4)], each_joint, lambda b: reverses(b) and several(b), most=6, alone=True),
+        lambda b, p: [[0.5, share * of_deflection(1)(b, p)] for share in (0.1, 0.4)], each_joint, reverses, most=6, alone=True),
     Row("plastic_set", ("tau_y", "slope"), put_plastic, lambda b, p, r: [r.uniform(0.3, 0.7) * all_torques(b), 0.2],
         lambda b, p: [[share * all_torques(b), 0.2] for share in (0.3, 0.7)], possible=reverses, scaled=(1,), most=80, alone=True),
     Row("joint_friction", ("tau_c",), put_friction, possible=turns, **size_of(lambda b, p: 0.05 * all_torques(b))),
@@ -279,6 +279,9 @@ SENSORS = (
     Row("load_drift", ("r",), put_number("drift"), possible=lambda b: b.by_sensor and b.clock, **one_of(lambda b, p: 0.1 * all_torques(b) / duration(b))),
     Row("load_lag", ("tau",), put_number("lag"), possible=lambda b: b.by_sensor and b.clock and b.is_held, most=10,
         **size_of(lambda b, p: 0.02 * duration(b))),
+    # of the stroke of a joint that slides
+    Row("camera_scale", ("a",), put_number("reading_scale"), possible=lambda b: b.alone == "prismatic" and not b.is_held, planted=False,
+        **one_of(ratio(0.1))),
 )
 
 ROWS = JOINTS + CHAINS + SENSORS

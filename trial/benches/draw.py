@@ -3,13 +3,14 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from aliases import Readings, aliases, is_imitated
-from catalogue import ROWS, key, rows_at
+from aliases import Fit, Readings, aliases, is_imitated
+from catalogue import rows_at
 from chain_benches import finger, hung, poses, pressed, sweep
 from joint_benches import flexure, loop, stroke
 from noise import with_noise
 from outside import CAUSES
 from statics import clean_readings
+from tolerances import imitating_tolerances
 from truth import Truth
 
 NONE, ONE, TWO, OUT = "no effect", "one effect", "two effects", "outside"
@@ -17,6 +18,7 @@ SHARES = {NONE: 0.15, ONE: 0.5, TWO: 0.12, OUT: 0.23}
 WEAKEST, STRONGEST = 2.2, 50.0  # strengths, in standard deviations
 WEAKEST_OUTSIDE = 5.0
 TOLD = 4.0  # standard deviations of all readings together that a cause outside the catalogue leaves at least of any two rows
+NEEDED = 5.0  # the same, that a single row, or tolerances, leave of two effects
 BENCHES = (loop, poses, finger, flexure, stroke, sweep, loop, flexure, pressed, poses, stroke, sweep, hung, finger)
 ATTEMPTS = 400
 
@@ -91,11 +93,11 @@ def effect(id, place, names, values, one_strength):
 
 
 def both_are_needed(readings, planted):
-    """Whether each of two effects shows beside the other, and neither row alone explains both."""
+    """Whether no row alone, and no tolerances, come near to what two effects change."""
     rows = [(row, place) for row, place, _, _ in planted]
     whole = readings.of_rows(rows, [x for _, _, x, _ in planted])
     single = readings.singles(whole)
-    return not single or single[0].left > 5.0
+    return (not single or single[0].left > NEEDED) and not imitating_tolerances(readings, whole, Fit((), [], 0.0), NEEDED)
 
 
 def with_effects(readings, family, random):

@@ -106,6 +106,7 @@ def clean_readings(bench, truth):
     for run in bench.runs:
         read = alone(bench, truth, run) if bench.alone else chain(bench, truth, run)
         if not run.is_held:
+            read = (1 + truth.reading_scale) * read
             for joint, (amplitude, phase) in truth.disc.items():
                 read[:, joint] += amplitude * np.sin(read[:, joint] + phase)
         if not np.all(np.isfinite(read)):

@@ -55,6 +55,7 @@ class Truth:
     gain: float = 0.0
     drift: float = 0.0  # N m/s
     lag: float = 0.0  # s
+    reading_scale: float = 0.0  # of the coordinates that are read
     disc: dict = field(default_factory=dict)  # joint -> amplitude rad, phase: an encoder's disc off its axis
 
     @classmethod
