@@ -47,7 +47,8 @@ def poses(random, turning):
     if kind > 0.4:
         runs.append(Run("loaded", "command", time, commands, force=weights(weight, count), loaded_by="weights"))
     if kind > 0.8:
-        runs = [Run("weighed", "command", time, commands, force=weights(np.round(weight * random.choice([0, 0.5, 1.0], count), 3), count), loaded_by="weights")]
+        each = np.round(weight * random.choice([0, 0.5, 1.0], count), 3)
+        runs = [Run("weighed", "command", time, commands, force=weights(each, count), loaded_by="weights")]
     bench = Bench("poses", stiffness, runs, length=length, mass=mass, plane="vertical", clock=False)
     return encoder(bench, random, 1e-4, 1e-3)
 
@@ -70,7 +71,8 @@ def sweep(random, turning):
 def curling(kind, load, values, lever, length, stiffness, rest, mass, random):
     count = len(values)
     run = Run("bend", "force", 2.0 * np.arange(count), np.tile(rest, (count, 1)), value=values)
-    bench = Bench(kind, stiffness, [run], length=length, mass=mass, plane="horizontal" if mass is None else "vertical", load=load, lever=lever, sweep=True)
+    bench = Bench(kind, stiffness, [run], length=length, mass=mass, plane="horizontal" if mass is None else "vertical",
+                  load=load, lever=lever, sweep=True)
     return encoder(bench, random, 5e-4, 3e-3)
 
 
@@ -107,5 +109,6 @@ def hung(random, turning):
     stiffness = rounded(held / np.radians(random.uniform(10, 25, n)))
     rest = np.round(random.uniform(-0.3, 0.6, n), 3)
     run = Run("hang", "force", 5.0 * np.arange(count), np.tile(rest, (count, 1)), link_force=force)
-    bench = Bench("hung", stiffness, [run], length=length, mass=mass, plane="vertical", load="force", link=link, at=round(float(random.uniform(0.5, 1.0)), 2), sweep=True)
+    bench = Bench("hung", stiffness, [run], length=length, mass=mass, plane="vertical", load="force", link=link,
+                  at=round(float(random.uniform(0.5, 1.0)), 2), sweep=True)
     return encoder(bench, random, 5e-4, 3e-3)
