@@ -72,6 +72,13 @@ class ClosedForms(unittest.TestCase):
                 # Newton's method ends at 1e-12 of the deflection; inside play and friction every angle has the torque
                 np.testing.assert_allclose(back, torques, atol=1e-6)
 
+    def test_a_joint_balances_what_is_beside_its_spring(self):
+        """Also where no torque is imposed."""
+        beside = JointTruth(beside=[lambda q: 2.0 * np.sin(5 * q - 0.3)], sliders=[Slider(10.0, lambda q, d: (0.1, 0.1), True)])
+        for truth in (beside, JointTruth(beside=beside.beside)):
+            d = JointLaw(STIFFNESS, truth).deflections(np.zeros(3), np.zeros(3), np.arange(3.0))
+            np.testing.assert_allclose(STIFFNESS * d + 2.0 * np.sin(5 * d - 0.3), 0, atol=1e-8)
+
     def test_a_lag_follows_a_ramp_late_by_its_time_constant(self):
         time = np.arange(0, 50, 0.5)
         np.testing.assert_allclose(delayed(2 * time, time, 1.5)[60:], 2 * (time - 1.5)[60:], atol=1e-6)
