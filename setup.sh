@@ -54,6 +54,8 @@ tests=(
   chromium chromium-driver python3-selenium poppler-utils
   # packages and what is installed, as a user meets them
   dpkg-dev man-db zsh
+  # the benches of the blind trial
+  python3-scipy
   # the site
   "${docs[@]}"
 )
