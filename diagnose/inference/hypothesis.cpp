@@ -159,7 +159,8 @@ Hypothesis maximised(const Study& study, const Likelihood& likelihood, const Can
         damping = std::max(1e-9, damping / 10);
         break;
       }
-      damping *= 10;
+      // A step that went too far is shortened at once: to three quarters, a quarter, a thirtieth, …
+      damping = std::max(0.3, 10 * damping);
     }
     if (gain < effort.gain) break;
   }

@@ -30,7 +30,7 @@ constexpr std::size_t fitted_pairs = 16, fitted_threes = 12, fitted_replacements
 constexpr double near_best = 25;
 constexpr std::size_t refined_at_once = 12, refined_at_last = 24;
 
-constexpr Effort fine{4, 0.03};
+constexpr Effort fine{12, 0.03};
 
 /// A rough fit ends where an iteration takes half a per cent off the squares.
 Effort rough(std::size_t values) {
@@ -60,12 +60,13 @@ class Searcher {
 
   Findings run(const std::function<void(double)>& report) {
     fit_singles([&](double share) { report(0.4 * share); });
-    const bool enough = without_discrepancy() > 0.9;
+    const bool enough = one_cause_is_enough();
     extend(leading_singles(enough ? seeds_of_enough : seeds), fitted_pairs);
     report(0.6);
     fit_beside_tolerances();
     report(0.7);
-    if (without_discrepancy() < 0.5) extend(leading_pairs(), fitted_threes);
+    if (!found_.hypotheses.empty() && nothing_left(found_.hypotheses.front()) < 0.5)
+      extend(leading_pairs(), fitted_threes);
     report(0.8);
     for (int round = 0; round < 2; ++round) take_apart();
     fit_other_orders();
@@ -116,11 +117,20 @@ class Searcher {
     return place == found_.hypotheses.end() ? nullptr : &*place;
   }
 
-  /// Probability that nothing is left beside the leading hypothesis.
-  [[nodiscard]] double without_discrepancy() const {
-    if (found_.hypotheses.empty()) return 0;
-    const Look& lead = found_.hypotheses.front().look;
-    return std::exp(log_posterior(lead.log_by_amplitude, found_.likelihood->priors().log_amplitude).front());
+  /// Probability that nothing is left beside a hypothesis.
+  [[nodiscard]] double nothing_left(const Hypothesis& one) const {
+    return std::exp(
+        log_posterior(one.look.log_by_amplitude, found_.likelihood->priors().log_amplitude).front());
+  }
+
+  /// Whether nothing is left beside the leading single cause. Values at every joint imitate several causes at
+  /// once, and do not end the search for those.
+  [[nodiscard]] bool one_cause_is_enough() const {
+    const auto imitates = [](const EffectAt& at) { return !at.effect->within_values.empty(); };
+    for (const Hypothesis& one : found_.hypotheses)
+      if (std::none_of(one.candidate.effects.begin(), one.candidate.effects.end(), imitates))
+        return nothing_left(one) > 0.9;
+    return false;
   }
 
   /// Fits side by side, in white noise and then weighed beside a discrepancy; maximises there what leads.
@@ -273,8 +283,10 @@ class Searcher {
     fit(tasks);
   }
 
-  /// Manufacturing tolerances, alone and beside what leads.
+  /// Manufacturing tolerances, alone and beside what leads. Those of a joint alone are its own stiffness and
+  /// rest, which are causes.
   void fit_beside_tolerances() {
+    if (!study_.scales().links) return;
     std::vector<Hypothesis> leading = leading_singles(beside_tolerances);
     for (std::size_t i = 0; i < std::min<std::size_t>(3, found_.hypotheses.size()); ++i)
       if (found_.hypotheses[i].candidate.effects.size() > 1) leading.push_back(found_.hypotheses[i]);

@@ -18,7 +18,8 @@ std::vector<std::vector<double>> scan(const ParameterRange& range) {
 InitialGuesses initial_guesses(const Study& study, const EffectAt& at) {
   const std::vector<ParameterRange> ranges = study.ranges(at);
   if (at.effect->initial_guesses == nullptr) {
-    if (ranges.size() == 1) return {scan(ranges[0]), 1};
+    // Every one is refined: where a chain buckles, squares have a valley on either side of the nominal model.
+    if (ranges.size() == 1) return {scan(ranges[0]), 3};
     return {{std::vector<double>(ranges.size(), 0)}, 1};
   }
   InitialGuesses known =

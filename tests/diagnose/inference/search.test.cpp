@@ -27,11 +27,13 @@ Experiment rich_bench() {
   return experiment;
 }
 
-/// Parameters drawn from what the effect may be, in a range in which a bench shows it.
+/// Parameters drawn from what the effect may be: of any order of magnitude from its typical size to its bounds.
 std::vector<double> drawn(const Study& study, const EffectAt& at, std::mt19937& random) {
   std::vector<double> parameters;
   for (const ParameterRange& range : study.ranges(at)) {
-    const double reach = range.may_be_nothing() ? 2 * range.scale : range.high - range.low;
+    const double widest = std::max(-range.low, range.high) / range.scale,
+                 times = std::pow(widest, std::uniform_real_distribution<double>(0, 1)(random)),
+                 reach = range.may_be_nothing() ? times * range.scale : range.high - range.low;
     const double low = std::max(range.low, range.may_be_nothing() ? -reach : range.low),
                  high = std::min(range.high, range.may_be_nothing() ? reach : range.high);
     parameters.push_back(std::uniform_real_distribution<double>(low, high)(random));

@@ -27,7 +27,7 @@ TEST_CASE("fits of one parameter start at nothing and a scale to either side, wi
   const auto from = [&](double low, double high) {
     const Effect row = with_range(2, low, high);
     const InitialGuesses known = initial_guesses(study, EffectAt(row));
-    CHECK(known.refined == 1);
+    CHECK(known.refined == 3);
     return known.points;
   };
   using Vectors = std::vector<std::vector<double>>;
@@ -53,9 +53,9 @@ TEST_CASE("starts of several effects are all combinations, in the order of the e
   CHECK(asked_joint == 0);
   const InitialGuesses both = initial_guesses(study, Candidate{{EffectAt(one), EffectAt(other)}});
   CHECK(both.points == Vectors{{0, 0}, {0, 5}, {0, -5}, {2, 0}, {2, 5}, {2, -5}});
-  CHECK(both.refined == 1);
-  CHECK(initial_guesses(study, Candidate{{EffectAt(stated), EffectAt(one)}}).refined == 2);
-  CHECK(initial_guesses(study, Candidate{{EffectAt(one), EffectAt(stated)}}).refined == 2);
+  CHECK(both.refined == 3);
+  CHECK(initial_guesses(study, Candidate{{EffectAt(stated), EffectAt(one)}}).refined == 3);
+  CHECK(initial_guesses(study, Candidate{{EffectAt(one), EffectAt(stated)}}).refined == 3);
   CHECK(initial_guesses(study, Candidate{}).points == Vectors{{}});
   Effect many = with_range(1, -1, 1);
   many.parameters = [](const Place&) {
