@@ -25,9 +25,10 @@ inline constexpr double zero_tolerance = 0.001, axis_tolerance = 0.0003;
 inline constexpr double no_gap = 0.3;
 /// Probability that the cause of a gap is outside of the catalogue.
 inline constexpr double outside = 0.1;
-/// Shares of such gaps that show at a few neighbouring readings alone, and in which every reading of a
-/// channel is off by an amount of its own.
-inline constexpr double local = 0.3, nugget = 0.1;
+/// Shares of such gaps that show at a few neighbouring readings alone, in which every reading of a channel is
+/// off by an amount of its own, in which readings are off by one amount from some reading on, and in which
+/// one channel alone is off.
+inline constexpr double local = 0.3, nugget = 0.1, step = 0.1, one_channel = 0.1;
 /// Shares of gaps with one cause of the catalogue, two, three.
 inline constexpr std::array<double, 3> causes{0.75, 0.2, 0.01};
 /// Probability that manufacturing tolerances show beside a cause.
@@ -41,8 +42,9 @@ inline constexpr double refinement = 0.1, one_more_element = 0.5;
 /// Probability that a device has none beside its cause; else any order of magnitude, with an exponential end
 /// at this scale.
 inline constexpr double exact_model = 0.5, discrepancy_scale = 0.1;
-/// Share of its variance that changes sign with the direction of motion, and that is each run's own.
-inline constexpr double directional_share = 0.4, own_share = 0.3;
+/// Share of its variance that changes sign with the direction of motion, that is each run's own, and that is
+/// there at rest too.
+inline constexpr double directional_share = 0.4, own_share = 0.3, rest_share = 0.2;
 
 // ---- Noise ----
 

@@ -47,6 +47,10 @@ class Weights {
     const Decomposition nominal = findings.likelihood->decompose(study.nominal_residual());
     log_local_ = log_local_departure(
         study.measurements(), study.nominal_residual() - nominal.delta - nominal.periodic, nominal.noise);
+    const NoiseShape& shape = findings.likelihood->shape();
+    log_step_ =
+        Likelihood(study.measurements(), *findings.states, noise_alone(), shape, study.nominal_residual())
+            .log_step(study.nominal_residual());
     const std::size_t count = findings.hypotheses.size();
     log_odds_.assign(count, 0.0);
     in_parallel(count, study.threads(), [&](std::size_t i) {
@@ -61,14 +65,7 @@ class Weights {
     using Of = Weight::Of;
     std::vector<Weight> all{
         {std::log(priors::no_gap) + temper * found_.nominal.log_by_amplitude.front(), Of::nothing, true, 0}};
-    const double outside = std::log(1 - priors::no_gap) + std::log(priors::outside);
-    add(all, outside + std::log(1 - priors::local - priors::nugget), found_.nominal.log_by_amplitude, temper,
-        priors_.log_amplitude_outside, {Of::outside, 0});
-    all.push_back(
-        {outside + std::log(priors::local) + temper * (found_.nominal.log_by_amplitude.front() + log_local_),
-         Of::outside, true, 0});
-    all.push_back(
-        {outside + std::log(priors::nugget) + temper * found_.nominal.log_nugget, Of::outside, true, 0});
+    add_outside(all, temper);
     for (std::size_t i = 0; i < found_.hypotheses.size(); ++i) {
       const Hypothesis& one = found_.hypotheses[i];
       const std::vector<double>& likelihood = one.look.log_by_amplitude;
@@ -97,6 +94,22 @@ class Weights {
   }
 
  private:
+  /// The nominal model beside a cause outside the catalogue, of each kind.
+  void add_outside(std::vector<Weight>& all, double temper) const {
+    const Look& nominal = found_.nominal;
+    const double outside = std::log((1 - priors::no_gap) * priors::outside);
+    const auto add_kind = [&](double share, double log_likelihood, bool exact) {
+      all.push_back({outside + std::log(share) + temper * log_likelihood, Weight::Of::outside, exact, 0});
+    };
+    constexpr double kinds = priors::local + priors::nugget + priors::step + priors::one_channel;
+    add(all, outside + std::log(1 - kinds), nominal.log_by_amplitude, temper, priors_.log_amplitude_outside,
+        {Weight::Of::outside, 0});
+    add_kind(priors::one_channel, nominal.log_one_channel, false);
+    add_kind(priors::local, nominal.log_by_amplitude.front() + log_local_, true);
+    add_kind(priors::nugget, nominal.log_nugget, true);
+    add_kind(priors::step, log_step_, true);
+  }
+
   /// Of a cause in the catalogue over one outside, where so much of the nominal residual is left to what the
   /// catalogue does not have.
   [[nodiscard]] double log_odds_of_listed(double size) const {
@@ -128,6 +141,7 @@ class Weights {
   const Findings& found_;
   const Hyperpriors& priors_;
   double log_local_ = 0;          ///< of a local departure from the nominal model, over none
+  double log_step_ = 0;           ///< log likelihood of a step beside the nominal model
   std::vector<double> log_odds_;  ///< by hypothesis beside an unknown torque: of being listed
 };
 

@@ -156,13 +156,14 @@ class Kernel {
     const CommandState &a = states_.of[p.run][p.reading], &b = states_.of[q.run][q.reading];
     static const CommandState rest;
     const bool knows_rest = states_.knows_rest[p.run];
+    constexpr double vanishes = 1 - priors::rest_share;
     double common = smooth(a, b), own = 0;
-    if (knows_rest) common -= smooth(a, rest) * smooth(rest, b);
+    if (knows_rest) common -= vanishes * smooth(a, rest) * smooth(rest, b);
     if (states_.one_session)
       own = matern(std::abs(a.progress - b.progress), length_);
     else if (p.run == q.run && knows_rest)
       own = matern(std::abs(a.progress - b.progress), length_) -
-            matern(a.progress, length_) * matern(b.progress, length_);
+            vanishes * matern(a.progress, length_) * matern(b.progress, length_);
     const double alike = states_.alike(static_cast<Eigen::Index>(p.run), static_cast<Eigen::Index>(q.run));
     return (1 - priors::own_share) * alike * common + priors::own_share * own;
   }

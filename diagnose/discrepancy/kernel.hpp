@@ -1,7 +1,7 @@
 #pragma once
 /// \file
 /// The prior of a discrepancy: a Gaussian process of what was commanded, of the direction in which it was
-/// commanded, and of the run; zero at rest (Kennedy and O'Hagan 2001).
+/// commanded, and of the run; small at rest (Kennedy and O'Hagan 2001).
 
 #include <Eigen/Core>
 #include <vector>

@@ -41,7 +41,7 @@ double log_sum(const VectorXd& v) {
 BlockLikelihood::BlockLikelihood(const Measurements& measurements, const Block& block,
                                  const CommandStates& states, const Hyperpriors& priors,
                                  const NoiseShape& shape, double unit)
-    : priors_(priors) {
+    : priors_(priors), unit_(unit) {
   for (Eigen::Index i = 0; i < block.count; ++i)
     if (!shape.outlier[static_cast<std::size_t>(block.first + i)]) kept_.push_back(i);
   lay_grid(unit);
@@ -278,6 +278,44 @@ BlockLikelihood::Split BlockLikelihood::most_probable(const Look& look,
   return {one.back * shrunk(one, best).cwiseProduct(look.rotated[best_k][best_l].col(0)),
           scale_[static_cast<std::size_t>(best) % scale_.size()], noise_[best_k].correlation,
           priors_.length[best_l]};
+}
+
+VectorXd BlockLikelihood::log_steps(const VectorXd& residual, const std::vector<Eigen::Index>& end) const {
+  const auto number = [&](Eigen::Index value) {  // of the first value from there on that is kept
+    return std::lower_bound(kept_.begin(), kept_.end(), value) - kept_.begin();
+  };
+  const Look here = look(residual);
+  const double prior = std::pow(2 * unit_, -2),
+               lengths = std::log(static_cast<double>(priors_.length.size()));
+  const auto scales = static_cast<Eigen::Index>(scale_.size()), values = residual.size();
+  MatrixXd parts(static_cast<Eigen::Index>(noise_.size()) * scales, values);
+  for (std::size_t k = 0; k < noise_.size(); ++k) {
+    // Sums over all later values of what a step that has begun is whitened to.
+    const VectorXd white = whiten(noise_[k], kept(residual)), step = noise_[k].own - noise_[k].before;
+    VectorXd product = VectorXd::Zero(white.size() + 1), square = product;
+    for (Eigen::Index i = white.size(); i-- > 0;) {
+      product(i) = product(i + 1) + step(i) * white(i);
+      square(i) = square(i + 1) + step(i) * step(i);
+    }
+    for (Eigen::Index v = 0; v < values; ++v) {
+      const Eigen::Index from = number(v), to = number(end[static_cast<std::size_t>(v)]);
+      double along = 0, length = 0;
+      if (from < to) {
+        along = noise_[k].own(from) * white(from) + product(from + 1) - product(to);
+        length = std::pow(noise_[k].own(from), 2) + square(from + 1) - square(to);
+      }
+      for (Eigen::Index s = 0; s < scales; ++s) {
+        const double precision = inverse_square_(s), information = length * precision;
+        parts(static_cast<Eigen::Index>(k) * scales + s, v) =
+            here.log_cell[k].front()(s) + lengths - here.log_by_amplitude.front() +
+            0.5 * std::pow(along * precision, 2) / (information + prior) -
+            0.5 * std::log1p(information / prior);
+      }
+    }
+  }
+  VectorXd result(values);
+  for (Eigen::Index v = 0; v < values; ++v) result(v) = log_sum(parts.col(v));
+  return result;
 }
 
 void BlockLikelihood::prune(const VectorXd& residual) {

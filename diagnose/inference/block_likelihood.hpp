@@ -27,8 +27,7 @@ class BlockLikelihood {
     /// Logarithm of the likelihood with a nugget over that with noise alone: its scale is one or larger, any
     /// order of magnitude as probable.
     double log_nugget = 0;
-    double nugget_size =
-        0;  ///< posterior mean of its size, declared sigmas
+    double nugget_size = 0;                       ///< posterior mean of its size, declared sigmas
     std::vector<std::vector<VectorXd>> log_cell;  ///< [correlation][length]: by amplitude and scale
     std::vector<MatrixXd> square;                 ///< [correlation]: whitened products
     std::vector<std::vector<MatrixXd>> rotated;   ///< [correlation][length]
@@ -49,6 +48,11 @@ class BlockLikelihood {
   [[nodiscard]] Split split(const Look& look, const std::vector<double>& log_amplitude) const;
   /// The same at the most probable cell alone.
   [[nodiscard]] Split most_probable(const Look& look, const std::vector<double>& log_amplitude) const;
+
+  /// By value, the logarithm of the Bayes factor of a step that begins there over none, both with noise
+  /// alone. Its height is Gaussian about zero, twice the unit wide.
+  /// \param end  by value, one past the last value that such a step reaches
+  [[nodiscard]] VectorXd log_steps(const VectorXd& residual, const std::vector<Eigen::Index>& end) const;
 
   /// Leaves out correlations that are negligible at this residual.
   void prune(const VectorXd& residual);
@@ -83,6 +87,7 @@ class BlockLikelihood {
   [[nodiscard]] VectorXd shrunk(const Rotation& rotation, Eigen::Index cell) const;
 
   const Hyperpriors& priors_;
+  double unit_;
   std::vector<Eigen::Index> kept_;  ///< values that are no outliers
   std::vector<double> scale_, log_scale_;
   VectorXd log_nugget_;      ///< by scale: prior of the scale with a nugget over that of noise alone

@@ -40,6 +40,12 @@ Hyperpriors full_model() {
   return p;
 }
 
+Hyperpriors noise_alone() {
+  Hyperpriors p = full_model();
+  p.amplitude = {0}, p.log_amplitude = {0}, p.log_amplitude_outside = {impossible}, p.length = {1};
+  return p;
+}
+
 Hyperpriors white_noise_alone() {
   return {{0}, {0}, {impossible}, {1}, {0}, {0}};
 }

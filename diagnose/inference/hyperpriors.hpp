@@ -22,6 +22,8 @@ struct Hyperpriors {
 
 /// The model of the diagnosis.
 Hyperpriors full_model();
+/// The same without a discrepancy.
+Hyperpriors noise_alone();
 /// Independent noise of one scale for each channel, and nothing else: for rough fits.
 Hyperpriors white_noise_alone();
 

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
+#include <map>
 #include <numbers>
 
 #include "diagnose/priors.hpp"
@@ -32,6 +35,19 @@ VectorXd as_vector(const std::vector<double>& values) {
   return Eigen::Map<const VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
+/// By value of a block, one past the last value of its run; of the block where all runs are one session.
+std::vector<Eigen::Index> ends_of_runs(const Measurements& measurements, const Block& block,
+                                       bool one_session) {
+  const auto run_of = [&](Eigen::Index value) {
+    return measurements.places()[static_cast<std::size_t>(block.first + value)].run;
+  };
+  std::vector<Eigen::Index> end(static_cast<std::size_t>(block.count), block.count);
+  for (Eigen::Index value = block.count - 2; value >= 0 && !one_session; --value)
+    end[static_cast<std::size_t>(value)] =
+        run_of(value) == run_of(value + 1) ? end[static_cast<std::size_t>(value + 1)] : value + 1;
+  return end;
+}
+
 }  // namespace
 
 double log_outlier(double distance) {
@@ -55,6 +71,7 @@ std::vector<double> log_posterior(const std::vector<double>& log_likelihood,
 Likelihood::Likelihood(const Measurements& measurements, const CommandStates& states,
                        const Hyperpriors& priors, NoiseShape shape, const VectorXd& nominal_residual)
     : measurements_(measurements),
+      states_(states),
       priors_(priors),
       shape_(std::move(shape)),
       nominal_size_(root_mean_square(nominal_residual, 0, nominal_residual.size(), shape_)) {
@@ -120,6 +137,11 @@ void Likelihood::add_marked(const std::vector<BlockLikelihood::Split>& at, const
   look.log_likelihood += sum;
   for (double& one : look.log_by_amplitude) one += sum;
   look.log_nugget += sum;
+  look.log_one_channel += sum;
+}
+
+double Likelihood::log_outside(const std::vector<double>& by_amplitude) const {
+  return log_sum(as_vector(by_amplitude) + as_vector(priors_.log_amplitude_outside));
 }
 
 Look Likelihood::look(const VectorXd& residual, const MatrixXd& jacobian) const {
@@ -132,6 +154,11 @@ Look Likelihood::look(const VectorXd& residual, const MatrixXd& jacobian) const 
   result.log_nugget = result.log_by_amplitude.front() + any - std::log(static_cast<double>(nugget.size()));
   for (const BlockLikelihood::Look& one : blocks)
     result.nugget_size += std::exp(one.log_nugget - any) * one.nugget_size / nominal_size_;
+  std::vector<double> alone;
+  for (const BlockLikelihood::Look& one : blocks)
+    alone.push_back(log_outside(one.log_by_amplitude) - one.log_by_amplitude.front());
+  result.log_one_channel = result.log_by_amplitude.front() + log_sum(as_vector(alone)) -
+                           std::log(static_cast<double>(alone.size()));
   std::vector<double> joint(result.log_by_amplitude.size());
   for (std::size_t a = 0; a < joint.size(); ++a)
     joint[a] = result.log_by_amplitude[a] + priors_.log_amplitude[a];
@@ -160,6 +187,34 @@ Decomposition Likelihood::decompose(const VectorXd& residual) const {
   }
   result.periodic = periodic_part(residual - result.delta);
   return result;
+}
+
+double Likelihood::log_step(const VectorXd& residual) const {
+  const auto place_of = [&](Eigen::Index row) {
+    const ReadingPlace& at = measurements_.places()[static_cast<std::size_t>(row)];
+    return std::pair(at.run, at.reading);
+  };
+  std::map<std::pair<std::size_t, std::size_t>, double> factor;  // by run and reading, of a step there
+  for (Eigen::Index row = 0; row < residual.size(); ++row) factor.emplace(place_of(row), 0.0);
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    const Block& block = measurements_.blocks()[b];
+    const VectorXd own = blocks_[b].log_steps(residual.segment(block.first, block.count),
+                                              ends_of_runs(measurements_, block, states_.one_session));
+    Eigen::Index value = 0;
+    for (auto& [place, sum] : factor) {
+      while (value < block.count && place_of(block.first + value) < place) ++value;
+      const bool reaches =
+          value < block.count && (states_.one_session || place_of(block.first + value).first == place.first);
+      sum += log_sum(Eigen::Vector2d(reaches ? own(value) : 0, 0)) - std::log(2.0);
+    }
+  }
+  std::vector<double> steps;
+  for (auto step = std::next(factor.begin()); step != factor.end(); ++step)
+    if (states_.one_session || std::prev(step)->first.first == step->first.first)
+      steps.push_back(step->second);
+  if (steps.empty()) return -std::numeric_limits<double>::infinity();
+  return look(residual).log_by_amplitude.front() + log_sum(as_vector(steps)) -
+         std::log(static_cast<double>(steps.size()));
 }
 
 void Likelihood::prune(const VectorXd& residual) {

@@ -20,6 +20,8 @@ struct Look {
   /// Log likelihood with a nugget in one channel, whichever: a discrepancy that no function of the command
   /// describes.
   double log_nugget = 0;
+  /// Log likelihood with a discrepancy of any size in one channel, whichever, and nothing left in the others.
+  double log_one_channel = 0;
   double nugget_size = 0;  ///< of that nugget, over the root mean square of the nominal residual
 };
 
@@ -49,6 +51,14 @@ class Likelihood {
   }
   [[nodiscard]] Decomposition decompose(const VectorXd& residual) const;
 
+  /// Log likelihood with a discrepancy of any size, from that at each size.
+  [[nodiscard]] double log_outside(const std::vector<double>& by_amplitude) const;
+  /// Log likelihood where nothing but noise is beside the model until, from some reading on, an amount of its
+  /// own is added to each channel or not, as probably: something slipped, broke or was moved. It lasts to the
+  /// end of its run, or of the session where the runs are parts of one. Every reading but the first of a run
+  /// is as probable.
+  [[nodiscard]] double log_step(const VectorXd& residual) const;
+
   /// Leaves out correlations that are negligible where this residual is left.
   void prune(const VectorXd& residual);
 
@@ -64,6 +74,7 @@ class Likelihood {
   [[nodiscard]] VectorXd periodic_part(const VectorXd& values) const;
 
   const Measurements& measurements_;
+  const CommandStates& states_;
   Hyperpriors priors_;
   NoiseShape shape_;
   double nominal_size_;  ///< root mean square of the nominal residual, declared sigmas

@@ -1,8 +1,10 @@
 #include "diagnose/noise/estimate_noise.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "diagnose/noise/term.hpp"
+#include "diagnose/priors.hpp"
 
 namespace plumbline::diagnose {
 namespace {
@@ -62,6 +64,18 @@ std::optional<NoiseProposal> most_probable_departure(const NoiseEvidence& eviden
   return best;
 }
 
+/// Log likelihood of what is left, be its cause in the catalogue or outside of it: what an outside cause does
+/// is no departure of noise.
+double log_evidence(const Likelihood& likelihood, const VectorXd& residual) {
+  const Look look = likelihood.look(residual);
+  const double common = 1 - priors::step - priors::one_channel;
+  return log_sum(
+      Eigen::Vector4d(std::log(1 - priors::outside) + look.log_likelihood,
+                      std::log(priors::outside * common) + likelihood.log_outside(look.log_by_amplitude),
+                      std::log(priors::outside * priors::one_channel) + look.log_one_channel,
+                      std::log(priors::outside * priors::step) + likelihood.log_step(residual)));
+}
+
 }  // namespace
 
 NoiseShape estimate_noise(const Experiment& experiment, const Measurements& measurements,
@@ -87,8 +101,8 @@ NoiseShape estimate_noise(const Experiment& experiment, const Measurements& meas
         proposed->accept(other);
         std::unique_ptr<Likelihood> with = likelihood_of(other);
         // The discrepancy may explain as much as the departure does.
-        may_depart = with->look(residual).log_likelihood + proposed->log_prior >
-                     likelihood->look(residual).log_likelihood;
+        may_depart =
+            log_evidence(*with, residual) + proposed->log_prior > log_evidence(*likelihood, residual);
         if (may_depart) shape = std::move(other), likelihood = std::move(with), changed = true;
       }
     }

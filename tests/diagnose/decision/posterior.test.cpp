@@ -2,6 +2,9 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+#include <functional>
+
 #include "tests/diagnose/bench.hpp"
 
 using namespace plumbline::diagnose;
@@ -28,5 +31,45 @@ TEST_CASE("a scatter of many times the declared noise is no noise") {
     const Posterior found = with_noise(times);
     CHECK(found.no_gap < 0.5);
     CHECK(found.outside > 0.5);
+  }
+}
+
+namespace {
+
+/// Of readings of the nominal chain in which an angle of the first run, pressed and let back, is off by so
+/// many declared standard deviations of each reading.
+Posterior with_angle_off(const std::function<double(std::size_t reading, std::size_t count)>& sigmas) {
+  Experiment experiment = measured(full_bench(), {}, {}, 11);
+  std::vector<Reading>& readings = experiment.runs.front().readings;
+  for (std::size_t i = 0; i < readings.size(); ++i)
+    readings[i].q[1] += experiment.noise.q * sigmas(i, readings.size());
+  const Study study(experiment);
+  return posterior(study, search(study));
+}
+
+}  // namespace
+
+// Successive readings of a step differ by it once, and by noise else: autocorrelated noise of its size would
+// have to stand still for half a run.
+TEST_CASE("what slips or breaks in the course of a run is a gap, wherever it does") {
+  for (const std::size_t at : {5, 12, 30})
+    for (const double size : {8.0, -20.0}) {
+      CAPTURE(at);
+      CAPTURE(size);
+      const Posterior found = with_angle_off([&](std::size_t i, std::size_t) { return i < at ? 0.0 : size; });
+      CHECK(found.no_gap < 0.05);
+      CHECK(found.outside > 0.5);
+    }
+}
+
+TEST_CASE("what is there at rest and vanishes under load is a gap, as is the reverse") {
+  for (const bool at_rest : {true, false}) {
+    CAPTURE(at_rest);
+    const Posterior found = with_angle_off([&](std::size_t i, std::size_t count) {
+      const double half = static_cast<double>(count - 1) / 2,
+                   pressed = 1 - std::abs(static_cast<double>(i) / half - 1);
+      return 40 * std::max(0.0, (at_rest ? 1 - pressed : pressed) - 0.4);
+    });
+    CHECK(found.no_gap < 0.05);
   }
 }

@@ -12,7 +12,9 @@ import numpy as np
 AMPLITUDE = np.array([0, 0.01, 0.02, 0.04, 0.08, 0.16, 0.32, 0.64, 1.28])
 LENGTH = [0.15, 0.4, 1.0]
 CORRELATION = np.array([0, 0.35, 0.65, 0.85])
-NO_GAP, OUTSIDE, LOCAL, NUGGET = 0.3, 0.1, 0.3, 0.1
+NO_GAP, OUTSIDE = 0.3, 0.1
+LOCAL, NUGGET, STEP, ONE_CHANNEL = 0.3, 0.1, 0.1, 0.1  # of the causes outside
+AT_REST = 0.2  # of the variance of the discrepancy
 TEMPER, WRONG, LARGEST = 0.25, 20, 8
 SHARE, WIDTH = 0.02, 10  # of outliers
 
@@ -95,8 +97,9 @@ class States:
         distance = np.linalg.norm(command[:, None] - command[None], axis=2)
         common = matern(distance, length) * (0.6 + 0.4 * np.outer(direction, direction))
         at_rest = matern(np.linalg.norm(command, axis=1), length) * (0.6 + 0.4 * direction)
-        common -= known[:, None] * np.outer(at_rest, at_rest)
-        own = matern(np.abs(way[:, None] - way[None]), length) - np.outer(matern(way, length), matern(way, length))
+        common -= (1 - AT_REST) * known[:, None] * np.outer(at_rest, at_rest)
+        at_start = matern(way, length)
+        own = matern(np.abs(way[:, None] - way[None]), length) - (1 - AT_REST) * np.outer(at_start, at_start)
         own *= np.equal.outer(run, run) * known[:, None]
         return 0.7 * self.alike[np.ix_(run, run)] * common + 0.3 * own
 
@@ -159,6 +162,16 @@ class Block:
             result.append(constant + self.log_scale - (log_det + (along / variance).sum(2) + n * np.log(2 * np.pi)) / 2)
         return np.array(result)
 
+    def step(self, places, run, reading, residual):
+        """Log Bayes factor of a step that begins with that reading, and lasts to the end of its run, over noise alone."""
+        column = np.array([places[i][0] == run and places[i][1] >= reading for i in self.kept], float)
+        noise = self.grid(residual)[:, 0]
+        prior, gain = (2 * self.unit) ** -2, []
+        for white, *_ in self.cells:
+            step = white @ column
+            information, along = step @ step / self.scale**2, step @ (white @ residual[self.kept]) / self.scale**2
+            gain.append(along**2 / (information + prior) / 2 - np.log1p(information / prior) / 2)
+        return log_sum(noise + np.array(gain)) - log_sum(noise)
 
     def size_of_nugget(self, grid):
         """Its posterior mean, in declared sigmas."""
@@ -185,6 +198,8 @@ class Likelihood:
         share = np.exp(log_normalised(nugget))
         size = sum(w * b.size_of_nugget(g) for w, b, g in zip(share, self.blocks, grids)) / self.gap
         nugget = (by_amplitude[0] + log_sum(nugget) - np.log(len(nugget)), size)
+        alone = [log_sum([log_sum(g[:, a]) + LOG_OUTSIDE[a] for a in range(len(AMPLITUDE))]) - log_sum(g[:, 0]) for g in grids]
+        self.one_channel = by_amplitude[0] + log_sum(alone) - np.log(len(alone))
         posterior = log_normalised(by_amplitude + LOG_LISTED)
         information, gradient = np.zeros((jacobian.shape[1],) * 2), np.zeros(jacobian.shape[1])
         left, sigma = residual.copy(), np.array(self.data["relative"])
@@ -213,7 +228,16 @@ class Likelihood:
         curve = np.where(self.outlier, inlier + (1 - inlier) * 2 / (WIDTH**2 + z**2), 0)
         slopes = jacobian / sigma[:, None]
         gradient, information = gradient - slopes.T @ (curve * z), information + slopes.T @ (curve[:, None] * slopes)
+        self.one_channel += marked
         return by_amplitude + marked, (nugget[0] + marked, nugget[1]), gradient, information, z
+
+
+    def log_step(self, residual):
+        """Log Bayes factor of a step at any reading but the first of a run, in each channel or not, over noise alone."""
+        places = sorted({tuple(p) for p in self.data["places"]})
+        later = [p for before, p in zip(places, places[1:]) if before[0] == p[0]]
+        sums = [sum(log_sum([b.step(self.data["places"], *p, residual), 0]) - np.log(2) for b in self.blocks) for p in later]
+        return log_sum(sums) - np.log(len(sums)) if sums else -np.inf
 
 
 def log_volume(parameters, gradient, information, temper):
@@ -266,7 +290,7 @@ def split(weight, size, own, exact):
     return [(weight - np.log1p(np.exp(odds)), "outside", exact), (weight - np.log1p(np.exp(-odds)), own, exact)]
 
 
-def rows(data, looks, nominal, nugget, local, temper):
+def rows(data, looks, nominal, nugget, local, step, one_channel, temper):
     """Every way in which the readings may have come about: log weight, cause (None: no gap), whether nothing is left."""
     def of(log_by_amplitude, prior):
         joint = temper * log_by_amplitude + prior
@@ -274,9 +298,11 @@ def rows(data, looks, nominal, nugget, local, temper):
 
     gap = np.log(1 - NO_GAP)
     result = [(np.log(NO_GAP) + temper * nominal[0], None, True)]
-    result.append((gap + np.log(OUTSIDE * (1 - LOCAL - NUGGET)) + of(nominal, LOG_OUTSIDE)[1], "outside", False))
+    result.append((gap + np.log(OUTSIDE * (1 - LOCAL - NUGGET - STEP - ONE_CHANNEL)) + of(nominal, LOG_OUTSIDE)[1], "outside", False))
     result.append((gap + np.log(OUTSIDE * LOCAL) + temper * (nominal[0] + local), "outside", True))
     result.append((gap + np.log(OUTSIDE * NUGGET) + temper * nugget[0], "outside", True))
+    result.append((gap + np.log(OUTSIDE * ONE_CHANNEL) + temper * one_channel, "outside", False))
+    result.append((gap + np.log(OUTSIDE * STEP) + temper * (nominal[0] + step), "outside", True))
     for one, (by_amplitude, (log_nugget, nugget_size), gradient, information) in zip(data["hypotheses"], looks):
         base = gap + one["log_prior"] + log_volume(one["parameters"], gradient, information, temper)
         own = sorted(e["label"] for e in one["effects"] if not e["outside"] and not e["tolerance"])
@@ -298,14 +324,14 @@ def rows(data, looks, nominal, nugget, local, temper):
 def decide(data):
     likelihood = Likelihood(data)
     nominal, nugget, _, _, z = likelihood.look(np.array(data["nominal"]), np.zeros((len(data["nominal"]), 0)))
-    looks = []
+    looks, one_channel = [], likelihood.one_channel
     for one in data["hypotheses"]:
         residual = np.array(one["residual"])
         looks.append(likelihood.look(residual, np.array(one["jacobian"]).reshape(-1, len(residual)).T)[:4])
-    local = local_departure(data, z)
+    local, step = local_departure(data, z), likelihood.log_step(np.array(data["nominal"]))
 
     def probabilities(temper):
-        all_rows = rows(data, looks, nominal, nugget, local, temper)
+        all_rows = rows(data, looks, nominal, nugget, local, step, one_channel, temper)
         weight = np.exp(log_normalised([r[0] for r in all_rows]))
         return [(w, cause, exact) for w, (_, cause, exact) in zip(weight, all_rows)]
 
