@@ -26,6 +26,11 @@ Sensor Channel::sensor() const {
     case Name::Fx:
     case Name::Fy:
       return Sensor::force;
+    case Name::Fx_2:
+    case Name::Fy_2:
+      return Sensor::second_force;
+    case Name::torque_2:
+      return Sensor::second_torque;
     case Name::turn:
       return Sensor::orientation;
     case Name::torque:
@@ -39,13 +44,15 @@ Sensor Channel::sensor() const {
 }
 
 std::string label(Sensor sensor) {
-  constexpr std::array words{"position", "force", "angle", "orientation", "torque"};
+  constexpr std::array words{"position", "force",        "angle",        "orientation",
+                             "torque",   "second force", "second torque"};
   static_assert(words.size() == sensors);
   return words[place_of(sensor)];
 }
 
 std::string label(Channel::Name name) {
-  constexpr std::array words{"x", "y", "Fx", "Fy", "q", "angle", "torque", "place", "r", "torque"};
+  constexpr std::array words{"x",     "y",      "Fx",       "Fy",    "Fx_2", "Fy_2",  "q",
+                             "angle", "torque", "torque_2", "place", "r",    "torque"};
   static_assert(words.size() == channel_names);
   return words[static_cast<std::size_t>(name)];
 }
@@ -57,7 +64,7 @@ std::string Channel::label() const {
 }
 
 std::string_view Channel::unit() const {
-  constexpr std::array<std::string_view, sensors> units{"m", "N", "rad", "rad", "N m"};
+  constexpr std::array<std::string_view, sensors> units{"m", "N", "rad", "rad", "N m", "N", "N m"};
   return units[place_of(sensor())];
 }
 
@@ -73,6 +80,11 @@ double& Channel::in(Reading& reading) const {
       return reading.Fx;
     case Name::Fy:
       return reading.Fy;
+    case Name::Fx_2:
+    case Name::torque_2:
+      return reading.second_load[0];
+    case Name::Fy_2:
+      return reading.second_load[1];
     case Name::place:
     case Name::turn:
       return reading.points[place_in_points(*this)];
@@ -89,8 +101,8 @@ double Channel::of(const Reading& reading) const {
 }
 
 double Channel::sigma(const Noise& noise) const {
-  const std::array all{noise.x, noise.y,  noise.Fx,    noise.Fy,   noise.q,
-                       noise.x, noise.Fx, noise.place, noise.turn, noise.torque};
+  const std::array all{noise.x, noise.y,  noise.Fx,   noise.Fy,    noise.Fx_2, noise.Fy_2,  noise.q,
+                       noise.x, noise.Fx, noise.Fx_2, noise.place, noise.turn, noise.torque};
   static_assert(all.size() == channel_names);
   return all[static_cast<std::size_t>(name)];
 }

@@ -13,9 +13,10 @@ struct Noise;
 struct Reading;
 
 /// The kind of sensor of a value; each kind shares one correction of its declared noise.
-enum class Sensor { position, force, angle, orientation, torque };
-inline constexpr std::array all_sensors{Sensor::position, Sensor::force, Sensor::angle, Sensor::orientation,
-                                        Sensor::torque};
+enum class Sensor { position, force, angle, orientation, torque, second_force, second_torque };
+inline constexpr std::array all_sensors{Sensor::position,     Sensor::force,  Sensor::angle,
+                                        Sensor::orientation,  Sensor::torque, Sensor::second_force,
+                                        Sensor::second_torque};
 inline constexpr std::size_t sensors = all_sensors.size();
 
 /// Index in arrays by sensor.
@@ -23,16 +24,17 @@ constexpr std::size_t place_of(Sensor sensor) {
   return static_cast<std::size_t>(sensor);
 }
 
-/// "position", "force", "angle", "orientation" or "torque".
+/// "position", "force", "angle", "orientation", "torque", "second force" or "second torque".
 std::string label(Sensor sensor);
 
 /// Number of channel names.
-inline constexpr std::size_t channel_names = 10;
+inline constexpr std::size_t channel_names = 13;
 
 struct Channel {
-  /// Angle and torque are those of a joint alone: they stand in the places of x and Fx. The last three are of
-  /// arms in space: coordinates of a point, components of its rotation vector, torque of a drive.
-  enum class Name { x, y, Fx, Fy, q, angle, torque, place, turn, drive } name;
+  /// Fx_2 and Fy_2 are those of a second sensor of the load. Angle and torques are those of a joint alone:
+  /// they stand in the places of x, Fx and Fx_2. The last three are of arms in space: coordinates of a point,
+  /// components of its rotation vector, torque of a drive.
+  enum class Name { x, y, Fx, Fy, Fx_2, Fy_2, q, angle, torque, torque_2, place, turn, drive } name;
   std::size_t joint = 0;  ///< 0-based, for q and drives; 3 p + axis for a coordinate of point p
 
   bool operator==(const Channel&) const = default;

@@ -26,6 +26,13 @@ std::vector<Channel> load_channels(Alone alone) {
                                 : std::vector<Channel>{{Name::Fx}, {Name::Fy}};
 }
 
+/// What a second sensor reads of that.
+std::vector<Channel> second_load_channels(Alone alone) {
+  if (alone == Alone::turns) return {{Name::torque_2}};
+  return alone == Alone::slides ? std::vector<Channel>{{Name::Fx_2}}
+                                : std::vector<Channel>{{Name::Fx_2}, {Name::Fy_2}};
+}
+
 }  // namespace
 
 Reading between(const Reading& from, const Reading& to, double share) {
@@ -117,6 +124,10 @@ std::vector<Channel> Run::measured() const {
   for (std::size_t j = 0; !readings.empty() && j < readings.front().q.size(); ++j)
     channels.push_back({Name::q, j});
   if (readings.empty()) return channels;
+  for (const Channel& channel : second_load_channels(alone))
+    if (std::any_of(readings.begin(), readings.end(),
+                    [&](const Reading& one) { return std::isfinite(channel.of(one)); }))
+      channels.push_back(channel);
   const Reading& first = readings.front();
   for (std::size_t i = 0; i < first.points.size(); ++i)
     channels.push_back({i % 6 < 3 ? Name::place : Name::turn, 3 * (i / 6) + i % 3});

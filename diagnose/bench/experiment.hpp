@@ -35,6 +35,8 @@ struct Reading {
   std::vector<double> points = {};
   std::vector<double> wrench = {};  ///< on the arm, in the axes of the world: force, N, and moment, N m
   std::vector<double> torque = {};  ///< of the drives, N m or N
+  /// Of a second sensor of the load on a chain's end point, or on a joint alone; NaN without.
+  std::array<double, 2> second_load = {std::nan(""), std::nan("")};
 
   /// The force of the wrench; zero without one.
   [[nodiscard]] Eigen::Vector3d wrench_force() const {
@@ -77,6 +79,7 @@ struct Branch {
 struct Noise {
   double x = 0, y = 0, Fx = 0, Fy = 0, q = 0;
   double place = 0, turn = 0, torque = 0;  ///< of an arm's points, m and rad, and of its drives
+  double Fx_2 = 0, Fy_2 = 0;               ///< of a second sensor of the load
 };
 
 /// One loading history from rest, readings in the order in which they were taken.

@@ -105,11 +105,13 @@ Noise read_noise(const Section& noise, const SampleFormat& format) {
     const std::string key = column == place_q1 ? "q" : format.columns[column].channel;
     return in_si(noise.non_negative(key), format.columns[column].unit);
   };
-  const std::set<std::string> all{"x", "y", "Fx", "Fy", "q", "angle", "torque"};
+  const std::set<std::string> all{"x", "y", "Fx", "Fy", "Fx_2", "Fy_2", "q", "angle", "torque", "torque_2"};
   noise.allow_only(all);
   for (const std::string& key : all)
     if (noise.has(key) && !has_channel(format.alone, key)) refuse_channel(noise, format.alone, key);
-  return {sigma(place_x), sigma(place_y), sigma(place_Fx), sigma(place_Fy), sigma(place_q1)};
+  Noise read{sigma(place_x), sigma(place_y), sigma(place_Fx), sigma(place_Fy), sigma(place_q1)};
+  read.Fx_2 = sigma(format.place_second1()), read.Fy_2 = sigma(format.place_second1() + 1);
+  return read;
 }
 
 /// \throws Error for a path outside the folder, after resolving links, or for no regular file

@@ -35,6 +35,8 @@ class Joined {
     Reading reading{value(place_t), value(place_x), value(place_y), value(place_Fx), value(place_Fy), {}};
     reading.q = angles(place_q1, &SampleFormat::absolute_angles, row);
     reading.rest = angles(format().place_command1(), &SampleFormat::absolute_commands, row);
+    const std::size_t second = format().place_second1();
+    reading.second_load = {value(second), value(second + 1)};
     for (std::size_t c = format().place_covariate1(); c < owners_.size(); ++c)
       reading.covariates.push_back(value(c));
     require_given(reading, row, control);

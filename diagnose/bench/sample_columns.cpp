@@ -37,11 +37,13 @@ class Finder {
   /// \param required  whether a column that experiment.toml names has to be here
   [[nodiscard]] std::optional<std::size_t> place(std::size_t c, bool required) const {
     const Column& column = format_.columns[c];
-    const bool command = c >= format_.place_command1() && c < format_.place_covariate1(),
+    const bool command = c >= format_.place_command1() && c < format_.place_second1(),
+               second = c >= format_.place_second1() && c < format_.place_covariate1(),
                angle = c >= place_q1 && c < format_.place_command1();
     if (column.constant || (command && !format_.commanded) || (angle && format_.alone != Alone::no))
       return {};
     if (column.number > 0) return numbered(column.number, required ? column.place : "");
+    if (second && !format_.header) return {};  // has no place in the standard order
     if (!format_.header && !format_.any_order) return numbered(c + 1, "");  // in the standard order
     return named(column, required);
   }
@@ -60,7 +62,7 @@ class Finder {
   /// Columns of commanded angles have a place where the run imposes them, and are not left out in silence
   /// elsewhere.
   void require_commands(const std::vector<bool>& given) const {
-    for (std::size_t c = format_.place_command1(); c < format_.place_covariate1(); ++c) {
+    for (std::size_t c = format_.place_command1(); c < format_.place_second1(); ++c) {
       const Column& column = format_.columns[c];
       if (format_.commanded && !given[c])
         throw Error(header_line_, "no column '" + column.channel + "', which the run imposes",

@@ -170,7 +170,7 @@ void read_angles(const Section& columns, const std::string& key, std::size_t fir
 
 /// Whether expressions can have a variable of this name beside their own.
 bool can_name_covariate(const std::string& name) {
-  static const std::regex form("[A-Za-z][A-Za-z0-9_]{0,39}"), own("[xytsdk]|F[xy]|q[0-9]*|run");
+  static const std::regex form("[A-Za-z][A-Za-z0-9_]{0,39}"), own("[xytsdk]|F[xy](_2)?|torque_2|q[0-9]*|run");
   return std::regex_match(name, form) && !std::regex_match(name, own);
 }
 
@@ -187,8 +187,8 @@ void read_covariates(const Section& covariates, SampleFormat& format) {
 
 void read_columns(const Section& columns, SampleFormat& format) {
   const SingleChannels single = single_channels(format.alone);
-  const std::set<std::string> all{"t", "x",         "y",     "Fx",     "Fy",
-                                  "q", "q_command", "angle", "torque", "covariate"};
+  const std::set<std::string> all{"t",     "x",      "y",        "Fx",   "Fy",   "q",        "q_command",
+                                  "angle", "torque", "torque_2", "Fx_2", "Fy_2", "covariate"};
   columns.allow_only(all);
   for (const std::string& key : all)
     if (columns.has(key) && !has_channel(format.alone, key)) refuse_channel(columns, format.alone, key);
@@ -199,6 +199,9 @@ void read_columns(const Section& columns, SampleFormat& format) {
   }
   read_angles(columns, "q", place_q1, format, format.absolute_angles);
   read_angles(columns, "q_command", format.place_command1(), format, format.absolute_commands);
+  for (std::size_t c = format.place_second1(); c < format.place_covariate1(); ++c)
+    if (const std::string key = format.columns[c].channel; columns.has(key))
+      ColumnReader(columns, key).read({&format.columns[c]});
   if (columns.has("covariate")) read_covariates(columns.table("covariate"), format);
 }
 
@@ -208,13 +211,13 @@ bool has_channel(Alone alone, const std::string& key) {
   const bool own = key == "t" || key == "q_command" || key == "covariate";
   switch (alone) {
     case Alone::turns:
-      return own || key == "angle" || key == "torque";
+      return own || key == "angle" || key == "torque" || key == "torque_2";
     case Alone::slides:
-      return own || key == "x" || key == "Fx";
+      return own || key == "x" || key == "Fx" || key == "Fx_2";
     case Alone::no:
       break;
   }
-  return key != "angle" && key != "torque";
+  return key != "angle" && key != "torque" && key != "torque_2";
 }
 
 void refuse_channel(const Section& section, Alone alone, const std::string& key) {
@@ -236,6 +239,10 @@ SampleFormat standard_format(std::size_t joints, Alone alone) {
       const std::string name = key + std::to_string(i);
       format.columns.push_back(own_column(name, &of_joints(alone), ""));
     }
+  for (const std::size_t place : {place_Fx, place_Fy}) {
+    const Column& first = format.columns[place];
+    format.columns.push_back(own_column(first.channel + "_2", first.quantity, ""));
+  }
   return format;
 }
 

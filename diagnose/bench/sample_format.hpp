@@ -29,8 +29,8 @@ struct Column {
   [[nodiscard]] bool as_is() const { return unit.factor == 1 && sign == 1 && zero == "0" && !zero_is_first; }
 };
 
-/// The places of t, x, y, Fx, Fy and q1 to qn among the columns; q_command1 to q_commandn and the covariates
-/// follow.
+/// The places of t, x, y, Fx, Fy and q1 to qn among the columns; q_command1 to q_commandn, the two of a
+/// second sensor of the load and the covariates follow.
 enum : std::size_t { place_t, place_x, place_y, place_Fx, place_Fy, place_q1 };
 
 struct SampleFormat {
@@ -47,12 +47,14 @@ struct SampleFormat {
   bool commanded = false;          ///< of a run that imposes joint angles: q_command is required
   bool free_end = false;           ///< no force acts on the end point for want of a column
   Alone alone = Alone::no;         ///< of a joint alone: x and Fx are its angle and torque, y and Fy are 0
-  std::vector<Column> columns;     ///< t, x, y, Fx, Fy, q1 … qn, q_command1 … q_commandn, covariates
-  std::size_t covariates = 0;      ///< number of these
+  /// t, x, y, Fx, Fy, q1 … qn, q_command1 … q_commandn, Fx_2, Fy_2, covariates
+  std::vector<Column> columns;
+  std::size_t covariates = 0;  ///< number of these
 
-  [[nodiscard]] std::size_t joints() const { return (place_covariate1() - place_q1) / 2; }
-  /// The places of q_command1 and of the first covariate among the columns.
+  [[nodiscard]] std::size_t joints() const { return (place_second1() - place_q1) / 2; }
+  /// The places of q_command1, of the second sensor and of the first covariate among the columns.
   [[nodiscard]] std::size_t place_command1() const { return place_q1 + joints(); }
+  [[nodiscard]] std::size_t place_second1() const { return place_covariate1() - 2; }
   [[nodiscard]] std::size_t place_covariate1() const { return columns.size() - covariates; }
 };
 

@@ -34,6 +34,10 @@ Experiment unmeasured(Experiment experiment) {
     for (Reading& reading : run.readings) reading.q = angles;
     for (const Channel& channel : run.measured())
       for (Reading& reading : run.readings) channel.in(reading) = nothing;
+    // A finite value says that it is read.
+    for (Reading& reading : run.readings)
+      reading.second_load = {experiment.noise.Fx_2 > 0 ? 0.0 : nothing,
+                             experiment.noise.Fy_2 > 0 ? 0.0 : nothing};
   }
   return experiment;
 }

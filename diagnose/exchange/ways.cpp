@@ -46,6 +46,7 @@ constexpr Way constant{false, "dry friction of this format is a constant"};
 constexpr Way no_curve{false, "sensors of this format show in proportion"};
 constexpr Way no_presliding{false, "dry friction of this format does not give before it slips"};
 constexpr Way no_camera{false, "of the camera, not of the chain"};
+constexpr Way no_second_sensor{false, "of a second sensor, not of the chain"};
 constexpr Way no_pulley{false, "of the pulley, not of the chain"};
 constexpr Way no_tendon{false, "of the tendons or pressures that load the chain, not of the chain"};
 constexpr Way no_set{false, "rest angles of this format do not move"};
@@ -88,6 +89,8 @@ const std::map<std::string_view, Way>& everywhere() {
                                                    {"direction_friction", constant},
                                                    {"speed_friction", constant},
                                                    {"cell_curvature", no_curve},
+                                                   {"second_zero", no_second_sensor},
+                                                   {"second_gain", no_second_sensor},
                                                    {"load_zero", no_joint_alone},
                                                    {"load_gain", no_joint_alone},
                                                    {"load_drift", no_joint_alone},

@@ -82,6 +82,12 @@ struct Traveller {
     return lagging(read, dt).cwiseMin(rig.force_limit).cwiseMax(-rig.force_limit);
   }
 
+  /// What a second sensor beside the first one reads.
+  [[nodiscard]] Vector2 second_load(const Run& run) const {
+    const Vector2 force = run.holds_end_point() ? Vector2(posture.force.x, posture.force.y) : imposed.value;
+    return (1 + on.rig.second_gain) * turned(force, -on.rig.misalignment) + on.rig.second_zero;
+  }
+
   /// Sets the expected joint speeds from those of the last step.
   /// \param share  length of the next step of the command over that of the last
   void expect(double share, double dt) {
@@ -348,6 +354,9 @@ class RunWalk {
     row(column_y) = end.y();
     row(column_Fx) = force.x();
     row(column_Fy) = force.y();
+    const Vector2 second = rig.second_load(run_);
+    row(column_Fx_2) = second.x();
+    row(column_Fy_2) = second.y();
     for (std::size_t i = 0; i < layout_.links; ++i)
       row(column_q + static_cast<Eigen::Index>(i)) = layout_.joint_angle(rig.posture.angle, i);
     correct(rig.on, reading, row);

@@ -96,6 +96,10 @@ struct Rig {
   double force_limit = std::numeric_limits<double>::infinity();  ///< range of the load cell, N
   double force_lag = 0;                                          ///< its time constant, s
 
+  // A second sensor of the load.
+  double second_gain = 0;                 ///< g
+  Vector2 second_zero = Vector2::Zero();  ///< b_x, b_y, N
+
   // By run number; later runs have no addition.
   std::vector<std::vector<double>> run_rest;  ///< [run][joint], beside rest_error
   std::vector<Vector2> run_tare;              ///< [run], beside force_bias

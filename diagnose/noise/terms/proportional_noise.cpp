@@ -12,7 +12,7 @@ class ProportionalNoise final : public NoiseTerm {
   [[nodiscard]] std::optional<NoiseProposal> propose(const NoiseEvidence& evidence) const override {
     std::optional<NoiseProposal> best;
     for (const Channel::Name name :
-         {Channel::Name::x, Channel::Name::y, Channel::Name::Fx, Channel::Name::Fy, Channel::Name::q})
+         {Channel::Name::x, Channel::Name::y, Channel::Name::Fx, Channel::Name::Fy, Channel::Name::Fx_2, Channel::Name::Fy_2, Channel::Name::q})
       if (!evidence.shape.proportional.contains(name)) look_at(evidence, name, best);
     return best;
   }

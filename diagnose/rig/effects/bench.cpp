@@ -12,7 +12,8 @@ bool force_is_read(const Place& at) {
 }
 
 bool place_is_read(const Place& at) {
-  return at.scales.measures(Channel::Name::x) || at.scales.measures(Channel::Name::y);
+  const bool is_measured = at.scales.measures(Channel::Name::x) || at.scales.measures(Channel::Name::y);
+  return at.scales.links && is_measured;
 }
 
 }  // namespace

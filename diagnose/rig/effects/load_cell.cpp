@@ -1,5 +1,5 @@
 /// \file
-/// Effects of the load cell, and of the sensor of the load of a joint alone.
+/// Effects of the load cell, of the sensor of the load of a joint alone, and of a second sensor.
 
 #include "diagnose/rig/effects/rows.hpp"
 
@@ -47,7 +47,7 @@ std::vector<Effect> load_sensor_effects() {
              return std::vector{both_ways("r", "N m/s", 0.05 * rate, -3 * rate, 3 * rate)};
            },
        .add = [](const Addition& to) { to.rig.force_drift.x() += to.value[0]; },
-       .possible = reads_load_over_time},
+       .possible = [](const Place& at) { return at.scales.load_sensor && at.scales.clock; }},
       {.id = "load_lag",
        .words = "a load sensor that responds with a delay",
        .dissipates = true,
@@ -57,6 +57,36 @@ std::vector<Effect> load_sensor_effects() {
            },
        .add = [](const Addition& to) { to.rig.force_lag += to.value[0]; },
        .possible = reads_load_over_time},
+  };
+}
+
+bool has_second_sensor(const Place& at) {
+  using Name = Channel::Name;
+  return at.scales.measures(Name::Fx_2) || at.scales.measures(Name::Fy_2) ||
+         at.scales.measures(Name::torque_2);
+}
+
+std::vector<Effect> second_sensor_effects() {
+  return {
+      {.id = "second_zero",
+       .words = "a wrong zero of the second sensor of the load",
+       .parameters =
+           [](const Place& at) {
+             const double load = at.scales.links ? at.scales.force : typical_load(at), small = 0.05 * load;
+             if (!at.scales.links) return std::vector{both_ways("b", "N m", small, -3 * load, 3 * load)};
+             return std::vector{both_ways("b_x", "N", small, -3 * load, 3 * load),
+                                both_ways("b_y", "N", small, -3 * load, 3 * load)};
+           },
+       .add =
+           [](const Addition& to) {
+             to.rig.second_zero += Vector2(to.value[0], to.rig.alone ? 0 : to.value[1]);
+           },
+       .possible = has_second_sensor},
+      {.id = "second_gain",
+       .words = "a scale error of the second sensor of the load",
+       .parameters = [](const Place&) { return std::vector{both_ways("g", "ratio", 0.05, -0.8, 3)}; },
+       .add = [](const Addition& to) { to.rig.second_gain += to.value[0]; },
+       .possible = has_second_sensor},
   };
 }
 
@@ -88,10 +118,10 @@ std::vector<Effect> load_cell_effects() {
                                 both_ways("r_y", "N/s", 0.05 * rate, -3 * rate, 3 * rate)};
            },
        .add = [](const Addition& to) { to.rig.force_drift += Vector2(to.value[0], to.value[1]); },
-       // An imposed force cannot drift.
-       .possible = [](const Place& at) { return at.scales.measures_force && at.scales.clock; }},
+       .possible = [](const Place& at) { return at.scales.load_cell && at.scales.clock; }},
   };
-  for (Effect& row : load_sensor_effects()) rows.push_back(std::move(row));
+  for (const auto& group : {load_sensor_effects, second_sensor_effects})
+    for (Effect& row : group()) rows.push_back(std::move(row));
   return rows;
 }
 

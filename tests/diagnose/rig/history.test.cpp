@@ -113,8 +113,8 @@ TEST_CASE("an effect of amount zero is the nominal model, any other is not") {
   const Prediction nominal = predict(Study(experiment), {}, {});
   const auto possible = possible_effects(Study(experiment));
   // Seven effects sit at one of three joints; nothing saturates where no force was read, nominal links weigh
-  // nothing, four effects are of a joint alone, and two of tendons.
-  CHECK(possible.size() == catalogue().size() - 2 - 4 - 2 + 7 * 2);
+  // nothing, four effects are of a joint alone, two of tendons, and two of a second sensor.
+  CHECK(possible.size() == catalogue().size() - 2 - 4 - 2 - 2 + 7 * 2);
   for (const EffectAt& at : possible) {
     CAPTURE(at.effect->id);
     CAPTURE(at.joint);

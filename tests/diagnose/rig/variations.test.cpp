@@ -85,8 +85,8 @@ TEST_CASE("a reading without a command is skipped, and the next continues from t
 
 TEST_CASE(
     "variables of a correction: readings, time, number of the run from 1, direction; angle and deflection") {
-  Eigen::ArrayXd row(7);
-  row << 1, 2, 3, 4, 0.25, 0.5, 0.75;
+  Eigen::ArrayXd row(9);
+  row << 1, 2, 3, 4, 5, 6, 0.25, 0.5, 0.75;
   using Values = std::vector<double>;
   CHECK(reading_values(row, {7, 2, -1, 0}, {Channel::Name::Fx}) == Values{1, 2, 3, 4, 7, 3, -1});
   CHECK(reading_values(row, {7, 0, 1, 0.125}, {Channel::Name::q, 1}) ==

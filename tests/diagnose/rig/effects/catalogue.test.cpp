@@ -101,6 +101,8 @@ TEST_CASE("a sizeable amount of each effect, by hand") {
       {"load_gain", {0.05}},
       {"load_drift", {0.05 * 7 * 1.3 / 90}},
       {"load_lag", {0.75}},
+      {"second_zero", {0.35, 0.35}},
+      {"second_gain", {0.05}},
       {"stiffness_scale", {0.1}},
       {"length_scale", {0.01}},
       {"rest_offset", {0.03}},
@@ -421,7 +423,7 @@ TEST_CASE("an effect is possible where the bench meets each of its conditions") 
       {"camera_turn", no_place},
       {"force_bias", no_cell},
       {"force_gain", no_cell},
-      {"sensor_drift", no_force},
+      {"sensor_drift", no_cell},
       {"sensor_drift", no_clock},
       {"axial_compliance", no_links},
       {"link_bending", no_links},
@@ -434,6 +436,8 @@ TEST_CASE("an effect is possible where the bench meets each of its conditions") 
       {"load_drift", no_clock},
       {"load_lag", no_load},
       {"load_lag", no_clock},
+      {"second_zero", no_place},
+      {"second_gain", no_place},
       {"cross_talk", [](CharacteristicScales& s) { s.measures_both_forces = false; }},
       {"cell_curvature", no_cell},
       {"saturation", [](CharacteristicScales& s) { s.at_largest = 3; }},
@@ -562,6 +566,8 @@ TEST_CASE("effects of one kind add up; the contribution of each to the rig, by h
   CHECK(with("position_offset", 0, {1, 2}).position_offset == Vector2(2, 4));
   CHECK(with("force_bias", 0, {1, 2}).force_bias == Vector2(2, 4));
   CHECK(with("force_gain", 0, {1}).force_gain == 2);
+  CHECK(with("second_zero", 0, {1, 2}).second_zero == Vector2(2, 4));
+  CHECK(with("second_gain", 0, {1}).second_gain == 2);
   CHECK(with("sensor_drift", 0, {1, 2}).force_drift == Vector2(2, 4));
   CHECK(with("cross_talk", 0, {1, 2}).cross_talk == Vector2(2, 4));
   CHECK(with("cell_curvature", 0, {1, 2}).cell_curvature == Vector2(2, 4));
