@@ -131,7 +131,7 @@ class TrueArm:
 
     def settle(self, q, turned_path, forces):
         """The equilibria with memory: MuJoCo's dynamics, each motion slow and damped, from rest at q. Joint positions by pose."""
-        if self.truth.play:
+        if self.truth.play or self.truth.loose_flange:
             raise ArithmeticError("play in motion, of which nothing here knows the way")
         model, data = self.model, self.data
         self.damp(q)
