@@ -32,6 +32,21 @@ double log_sum_of(const std::vector<double>& terms) {
   return log_sum(Eigen::Map<const VectorXd>(terms.data(), static_cast<Eigen::Index>(terms.size())));
 }
 
+/// Logarithm of the probability that the readings that scatter more than others, by these factors, do so by
+/// noise: any order of magnitude up to two is as probable where a cause outside the catalogue scatters them.
+double log_noise_alone(const std::vector<NoisierSegment>& noisier) {
+  const double cause = std::log((1 - priors::no_gap) * priors::outside * priors::nugget / priors::no_gap) -
+                       std::log(std::log(100.0));
+  constexpr double student = 0.375;  // density of four degrees of freedom at zero
+  double sum = 0;
+  for (const NoisierSegment& one : noisier) {
+    const double noise =
+        log_scale_prior(std::log(one.factor)) + std::log(student / priors::noise_scale_spread);
+    sum -= std::log1p(std::exp(cause - noise));
+  }
+  return sum;
+}
+
 /// One way in which the readings may have come about.
 struct Weight {
   double log_weight;
@@ -48,6 +63,7 @@ class Weights {
     log_local_ = log_local_departure(
         study.measurements(), study.nominal_residual() - nominal.delta - nominal.periodic, nominal.noise);
     const NoiseShape& shape = findings.likelihood->shape();
+    log_noise_ = log_noise_alone(shape.noisier);
     log_step_ =
         Likelihood(study.measurements(), *findings.states, noise_alone(), shape, study.nominal_residual())
             .log_step(study.nominal_residual());
@@ -63,8 +79,9 @@ class Weights {
   /// Where the likelihood counts to this power.
   [[nodiscard]] std::vector<Weight> at(double temper) const {
     using Of = Weight::Of;
-    std::vector<Weight> all{
-        {std::log(priors::no_gap) + temper * found_.nominal.log_by_amplitude.front(), Of::nothing, true, 0}};
+    const double nothing = std::log(priors::no_gap) + temper * found_.nominal.log_by_amplitude.front();
+    std::vector<Weight> all{{nothing + log_noise_, Of::nothing, true, 0},
+                            {nothing + std::log(-std::expm1(log_noise_)), Of::outside, true, 0}};
     add_outside(all, temper);
     for (std::size_t i = 0; i < found_.hypotheses.size(); ++i) {
       const Hypothesis& one = found_.hypotheses[i];
@@ -141,6 +158,7 @@ class Weights {
   const Findings& found_;
   const Hyperpriors& priors_;
   double log_local_ = 0;          ///< of a local departure from the nominal model, over none
+  double log_noise_ = 0;          ///< probability that what scatters more than the rest is noise
   double log_step_ = 0;           ///< log likelihood of a step beside the nominal model
   std::vector<double> log_odds_;  ///< by hypothesis beside an unknown torque: of being listed
 };

@@ -282,6 +282,14 @@ def local_departure(data, z):
     return log_sum(sums) - np.log(len(sums))
 
 
+def noise_alone(factors):
+    """The probability that readings that scatter by these factors more than others do so by noise."""
+    factors = np.array(factors, float)
+    cause = (1 - NO_GAP) * OUTSIDE * NUGGET / NO_GAP / np.log(100)
+    noise = 0.375 / 0.25 * (1 + (np.log(factors) / 0.25) ** 2 / 4) ** -2.5
+    return np.prod(noise / (noise + cause))
+
+
 def split(weight, size, own, exact):
     """Between the cause and one outside, where a share of that size is left to what the catalogue does not have."""
     size = max(1e-3, size)
@@ -297,7 +305,10 @@ def rows(data, looks, nominal, nugget, local, step, one_channel, temper):
         return joint[0], log_sum(joint[1:])
 
     gap = np.log(1 - NO_GAP)
-    result = [(np.log(NO_GAP) + temper * nominal[0], None, True)]
+    nothing, by_noise = np.log(NO_GAP) + temper * nominal[0], noise_alone(data["noisier"])
+    result = [(nothing + np.log(by_noise), None, True)]
+    if by_noise < 1:
+        result.append((nothing + np.log(1 - by_noise), "outside", True))
     result.append((gap + np.log(OUTSIDE * (1 - LOCAL - NUGGET - STEP - ONE_CHANNEL)) + of(nominal, LOG_OUTSIDE)[1], "outside", False))
     result.append((gap + np.log(OUTSIDE * LOCAL) + temper * (nominal[0] + local), "outside", True))
     result.append((gap + np.log(OUTSIDE * NUGGET) + temper * nugget[0], "outside", True))

@@ -29,6 +29,12 @@ Json columns(const MatrixXd& matrix) {
   return all;
 }
 
+std::vector<double> factors_of(const std::vector<NoisierSegment>& noisier) {
+  std::vector<double> factors;
+  for (const NoisierSegment& one : noisier) factors.push_back(one.factor);
+  return factors;
+}
+
 /// The command of every reading, from rest.
 Json runs(const Experiment& experiment) {
   Json all = Json::array();
@@ -98,6 +104,7 @@ Json described(const std::string& folder) {
           {"sigma", list(measurements.sigma())},
           {"relative", list(shape.relative)},
           {"outlier", shape.outlier},
+          {"noisier", factors_of(shape.noisier)},
           {"periodic", columns(shape.periodic)},
           {"nominal", list(study.nominal_residual())},
           {"hypotheses", hypotheses},
