@@ -23,7 +23,7 @@ using diagnose::Run;
 
 const char* si_unit(const std::string& what) {
   if (what == "t") return "s";
-  if (what == "torque") return "N m";
+  if (what.starts_with("torque")) return "N m";
   if (what[0] == 'F') return "N";
   return what[0] == 'q' || what == "angle" ? "rad" : "m";
 }
@@ -33,13 +33,16 @@ double value_of(const diagnose::Reading& reading, std::size_t column, std::size_
   const double first[] = {reading.t, reading.x, reading.y, reading.Fx, reading.Fy};
   if (column < std::size(first)) return first[column];
   const std::size_t place = column - std::size(first), joint = place % joints;
+  if (place >= 2 * joints) return reading.second_load[place - 2 * joints];
   const std::vector<double>& angles = place < joints ? reading.q : reading.rest;
   return joint < angles.size() ? angles[joint] : NAN;
 }
 
-double noise_of(const diagnose::Noise& noise, std::size_t column) {
-  const double first[] = {0, noise.x, noise.y, noise.Fx, noise.Fy};
-  return column < std::size(first) ? first[column] : noise.q;
+double noise_of(const diagnose::Noise& noise, std::size_t column, std::size_t joints) {
+  const double first[] = {0, noise.x, noise.y, noise.Fx, noise.Fy}, second[] = {noise.Fx_2, noise.Fy_2};
+  if (column < std::size(first)) return first[column];
+  const std::size_t place = column - std::size(first);
+  return place < 2 * joints ? noise.q : second[place - 2 * joints];
 }
 
 /// "Fx  Kraft, kgf  -3.64 to 0 N, 9 readings, noise 0.0196 N".
@@ -67,7 +70,9 @@ std::string column_line(const Experiment& experiment, const Run& run, std::size_
   if (is_imposed) return line + ", imposed\n";
   if (origin.what == "t") return line + "\n";
   if (count < run.readings.size()) line += fmt::format(", {} of {} readings", count, run.readings.size());
-  return line + fmt::format(", noise {:.3g} {}\n", noise_of(experiment.noise, column), si_unit(origin.what));
+  return line + fmt::format(", noise {:.3g} {}\n",
+                            noise_of(experiment.noise, column, experiment.link_length.size()),
+                            si_unit(origin.what));
 }
 
 /// "temperature  T  20.1 to 24.3, 55 of 60 readings interpolated", "tension  F, mN  0 to 12 N, a load".
@@ -128,6 +133,7 @@ std::string what_was_read(const Experiment& experiment) {
     for (std::size_t c = 0; c < channels; ++c) {
       const std::string& what = run.origins[c].what;
       const bool there = what.starts_with("q_command")      ? run.commands_joints()
+                         : what.ends_with("_2")             ? !run.origins[c].source.empty()
                          : what[0] == 'q'                   ? !run.readings.front().q.empty()
                          : run.alone != diagnose::Alone::no ? what != "y" && what != "Fy"
                                                             : true;

@@ -83,7 +83,7 @@ void test_cause(const Study& study, const Findings& findings, Diagnosis& diagnos
 /// Where the cause may be outside of the catalogue: a law that closes the gap, if one predicts.
 void offer_law_to(const Study& study, Diagnosis& diagnosis) {
   std::optional<OfferedLaw> law = offer_law(study, diagnosis.noise);
-  if (!law || (law->shrink && law->shrink->ratio >= 1)) return;
+  if (!law || (law->shrink && law->shrink->ratio_high >= 1)) return;
   const bool unknown = diagnosis.cause.verdict == CauseVerdict::unknown;
   const bool predicts_worse = diagnosis.shrink && law->shrink && law->shrink->ratio > diagnosis.shrink->ratio;
   if (predicts_worse) return;

@@ -101,9 +101,6 @@ struct Run {
   std::optional<Branch> branch =
       std::nullopt;                     ///< the observed branch, where the nominal model may take either
   std::vector<LoadChannel> loads = {};  ///< what loads the chain besides, as part of the command
-  /// Of what a chain's run imposes, where a sensor read it: q is of the commanded joint angles. A joint alone
-  /// has it in the noise of the experiment.
-  Noise imposed_noise = {};
 
   [[nodiscard]] bool holds_end_point() const { return control == Control::end_point; }
   /// The imposed channels, along x and along y; of a joint alone its angle or its torque.

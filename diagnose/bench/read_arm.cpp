@@ -65,6 +65,8 @@ NominalArm read_joints(const Section& section) {
         throw Error(joint.where(), "\"" + files::shown(name) + "\" again", "a name that nothing else has");
     constexpr double endless = std::numeric_limits<double>::infinity();
     nominal.limits.push_back(joint.has("limits") ? joint.pair("limits") : std::array{-endless, endless});
+    if (!(nominal.limits.back()[0] < nominal.limits.back()[1]))
+      joint.refuse("limits", "two angles, the lower one first");
   }
   return nominal;
 }

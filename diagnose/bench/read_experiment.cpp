@@ -172,29 +172,12 @@ bool read_by_weights(const Section& section, const Run& run, const Experiment& e
   return word == "weights";
 }
 
-/// Noise of what the run imposes, in the units of its columns.
-Noise read_imposed_noise(const Section& section, const SampleFormat& format, const Run& run) {
-  if (!section.has("noise")) return {};
-  if (run.alone != Alone::no) section.refuse("noise", "nothing: the noise of a joint alone is in [noise]");
-  const Section noise = section.table("noise");
-  std::set<std::string> imposed;
-  for (const Channel& channel : run.imposed()) imposed.insert(channel.label());
-  if (format.commanded) imposed.insert("q_command");
-  noise.allow_only(imposed);
-  const auto sigma = [&](const std::string& key, std::size_t column) {
-    return imposed.contains(key) ? in_si(noise.non_negative(key), format.columns[column].unit) : 0;
-  };
-  return {sigma("x", place_x), sigma("y", place_y), sigma("Fx", place_Fx), sigma("Fy", place_Fy),
-          sigma("q_command", format.place_command1())};
-}
-
 /// \param commanded  whether the run imposes joint angles
 void read_samples_of(const Section& section, const Shared& shared, bool commanded, Run& run) {
   SampleFormat format = read_sample_format(section, shared.format);
   format.commanded = commanded;
   format.free_end = commanded || (!run.holds_end_point() && !shared.experiment.loads.empty());
   format.any_order |= (shared.source.plan && format.header) || commanded;  // a plan may hold commands alone
-  run.imposed_noise = read_imposed_noise(section, format, run);
   Samples samples = read_samples(shared.source.read(section, format), run.control);
   run.readings = std::move(samples.readings);
   run.origins = std::move(samples.origins);
@@ -238,7 +221,7 @@ std::vector<LoadChannel> loads_of(const Run& run, const Experiment& experiment) 
 }
 
 Run read_run(const Section& section, const Shared& shared) {
-  section.allow_only({"id", "control", "begins", "loaded_by", "rest", "noise", "samples", "csv", "columns"});
+  section.allow_only({"id", "control", "begins", "loaded_by", "rest", "samples", "csv", "columns"});
   Run run;
   run.id = section.name("id", "a name");
   run.alone = shared.experiment.alone;

@@ -201,7 +201,10 @@ Posterior posterior(const Study& study, const Findings& findings) {
     // Hypotheses stand in the order of their evidence: the first form is the most probable.
     causes.try_emplace(labels, CauseProbability{labels, 0, one.hypothesis}).first->second.probability += p;
   }
-  for (auto& [labels, cause] : causes) result.causes.push_back(std::move(cause));
+  for (auto& [labels, cause] : causes) {
+    cause.probability = std::min(1.0, cause.probability);  // but for rounding
+    result.causes.push_back(std::move(cause));
+  }
   std::stable_sort(
       result.causes.begin(), result.causes.end(),
       [](const CauseProbability& a, const CauseProbability& b) { return a.probability > b.probability; });

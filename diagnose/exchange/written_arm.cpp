@@ -53,7 +53,11 @@ Written written_arm(const Model& model, Format format) {
   diagnose::NominalArm nominal = *experiment.arm;
   nominal.arm = arm_of(rig);
   const std::vector<Carried> others = others_of(experiment);
-  if (format == Format::toml) return {"# " + model.title + "\n" + arm_toml(nominal), others};
+  if (format == Format::toml) {
+    std::string text = "# " + model.title + "\n";
+    for (const Carried& one : others) text += "# NOT CARRIED: " + one.effect + ": " + one.how + "\n";
+    return {text + arm_toml(nominal), others};
+  }
   if (model.source.empty() || format_of(model.source) != format)
     throw Error("corrected model", "an arm that was not read from a file of this format",
                 model.source.empty() ? std::string("a file .toml")

@@ -156,10 +156,12 @@ void require_resolved(const Experiment& experiment, double reach) {
                        *turns = "the force that turns a joint by a radian";
   if (experiment.alone == Alone::turns) {
     require("angle", noise.x, size.x, "a radian"), require("torque", noise.Fx, size.Fx, "that of a radian");
+    require("torque_2", noise.Fx_2, size.Fx, "that of a radian");
     return;
   }
   require("x", noise.x, size.x, reaching), require("y", noise.y, size.y, reaching);
   require("Fx", noise.Fx, size.Fx, turns), require("Fy", noise.Fy, size.Fy, turns);
+  require("Fx_2", noise.Fx_2, size.Fx, turns), require("Fy_2", noise.Fy_2, size.Fy, turns);
   require("q", noise.q, size.q, "a radian");
 }
 
@@ -203,6 +205,13 @@ void require_arm(const Experiment& experiment) {
   if (nominal.arm.size() > most_arm_joints)
     throw Error("arm", std::to_string(nominal.arm.size()) + " joints",
                 std::to_string(most_arm_joints) + " at most");
+  const Noise& noise = experiment.noise;
+  constexpr double finest = 1e-15;  // m, rad or N m: the rounding of places, angles and torques of an arm
+  for (const auto& [name, sigma] : {std::pair("place", noise.place), std::pair("turn", noise.turn),
+                                    std::pair("q", noise.q), std::pair("torque", noise.torque)})
+    if (sigma > 0 && sigma < finest)
+      throw Error(std::string("noise.") + name, fmt::format("{:.4g}", sigma),
+                  "more than the rounding of what it is the noise of, 1e-15");
   constexpr double most = 20;  // rad: three turns, and some
   for (const Run& run : experiment.runs)
     for (std::size_t r = 0; r < run.readings.size(); ++r)

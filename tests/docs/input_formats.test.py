@@ -55,7 +55,7 @@ EXPERIMENT = {
                                              "absolute": False},
                 "q_command": {"column": ["c1", "c2"], "unit": "rad", "sign": -1, "zero": [0, 0], "absolute": False},
                 "covariate": {"temperature": {"column": "T", "sign": 1, "zero": 20}, "p": {"column": "P", "unit": "kPa"}}},
-    "run": [{"id": "press", "control": "displacement", "begins": "relaxed", "loaded_by": "servo", "rest": [0.4, -0.9], "noise": {"x": 1e-4}, "samples": "press.csv",
+    "run": [{"id": "press", "control": "displacement", "begins": "relaxed", "loaded_by": "servo", "rest": [0.4, -0.9], "samples": "press.csv",
              "csv": {"decimal": "."}, "columns": {"Fx": {"zero": "first"}, "q": ["q1", "q2"]}}],
 }
 SAMPLES = "t,x,y,Fx,Fy,q1,q2,T,Gx,Gy,tension,P\n0,9,0,0,0,0,0,20,0,0,0,0\n1,9,0,0,0,0,0,20,0,0,1,1\n"

@@ -66,20 +66,37 @@ bool has_second_sensor(const Place& at) {
          at.scales.measures(Name::torque_2);
 }
 
+/// Along x and along y; both where none is read, as in the catalogue's document.
+std::array<bool, 2> axes_of_second_sensor(const CharacteristicScales& scales) {
+  const bool x = scales.measures(Channel::Name::Fx_2), y = scales.measures(Channel::Name::Fy_2);
+  if (!scales.links) return {true, false};
+  return {x || !y, y || !x};
+}
+
+std::vector<ParameterRange> zeros_of_second_sensor(const Place& at) {
+  const double load = at.scales.links ? at.scales.force : typical_load(at);
+  const auto zero = [&](const char* name, const char* unit) {
+    return both_ways(name, unit, 0.05 * load, -3 * load, 3 * load);
+  };
+  if (!at.scales.links) return {zero("b", "N m")};
+  const auto [along_x, along_y] = axes_of_second_sensor(at.scales);
+  std::vector<ParameterRange> all;
+  if (along_x) all.push_back(zero("b_x", "N"));
+  if (along_y) all.push_back(zero("b_y", "N"));
+  return all;
+}
+
 std::vector<Effect> second_sensor_effects() {
   return {
       {.id = "second_zero",
        .words = "a wrong zero of the second sensor of the load",
-       .parameters =
-           [](const Place& at) {
-             const double load = at.scales.links ? at.scales.force : typical_load(at), small = 0.05 * load;
-             if (!at.scales.links) return std::vector{both_ways("b", "N m", small, -3 * load, 3 * load)};
-             return std::vector{both_ways("b_x", "N", small, -3 * load, 3 * load),
-                                both_ways("b_y", "N", small, -3 * load, 3 * load)};
-           },
+       .parameters = zeros_of_second_sensor,
        .add =
            [](const Addition& to) {
-             to.rig.second_zero += Vector2(to.value[0], to.rig.alone ? 0 : to.value[1]);
+             const double* value = to.value;
+             const auto [along_x, along_y] = axes_of_second_sensor(to.scales);
+             if (along_x) to.rig.second_zero.x() += *value++;
+             if (along_y) to.rig.second_zero.y() += *value;
            },
        .possible = has_second_sensor},
       {.id = "second_gain",

@@ -185,20 +185,7 @@ TEST_CASE("forces straight down and without noise are those of weights, unless t
       by_weights(with("\"force\"", "\"force\"\nloaded_by = \"weights\""), "0,0.45,0,0,0\n2,0.45,0,0,0.1\n"));
 }
 
-TEST_CASE("a run may say the noise of what it imposes, in the units of its columns") {
-  const Folder folder;
-  lay(folder, {.toml = replaced(good_toml, "id = \"pull\"",
-                                "id = \"pull\"\nnoise = { Fx = 4 }\ncolumns.Fx = { unit = \"mN\" }")});
-  const Experiment experiment = read_experiment(folder.path());
-  CHECK(experiment.runs[1].imposed_noise.Fx == doctest::Approx(0.004));
-  CHECK(experiment.runs[1].imposed_noise.Fy == 0);
-  CHECK(experiment.runs[0].imposed_noise.x == 0);
-}
-
 TEST_CASE("a fault of experiment.toml is named by its key") {
-  CHECK(says(toml_fault("id = \"press\"", "id = \"press\"\nnoise = { Fx = 1 }"),
-             {"noise.Fx", "unknown key", "x"}));
-  CHECK(says(toml_fault("id = \"press\"", "id = \"press\"\nnoise = { x = -1 }"), {"noise.x", "-1"}));
   CHECK(says(toml_fault("chain-experiment/1", "chain-experiment/2"), {"format", "chain-experiment/2"}));
   CHECK(says(toml_fault("format =", "formt ="), {"format", "no such key"}));
   CHECK(says(toml_fault("name = \"two\"", "name = 2"), {"name", "found 2"}));
