@@ -20,7 +20,6 @@ class Finder {
   Finder(const SampleTable& table, const SampleFormat& format, const std::string& source)
       : table_(table),
         format_(format),
-        source_(source),
         header_line_(table.header_line == 0 || table.transposed
                          ? source
                          : source + ":" + std::to_string(table.header_line)) {}
@@ -118,7 +117,6 @@ class Finder {
 
   const SampleTable& table_;
   const SampleFormat& format_;
-  const std::string& source_;
   std::string header_line_;
 };
 

@@ -75,10 +75,10 @@ std::string column_table(const DraftColumn& column, const std::string& source) {
 /// The covariates that every run has.
 std::vector<std::string> common_covariates(const std::vector<DraftedRun>& runs) {
   std::vector<std::string> names;
-  for (const auto& [name, column] : runs.front().covariates)
+  for (const auto& one : runs.front().covariates)
     if (std::all_of(runs.begin(), runs.end(),
-                    [&](const DraftedRun& run) { return run.covariates.contains(name); }))
-      names.push_back(name);
+                    [&](const DraftedRun& run) { return run.covariates.contains(one.first); }))
+      names.push_back(one.first);
   return names;
 }
 
