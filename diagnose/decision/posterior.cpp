@@ -64,6 +64,7 @@ class Weights {
         study.measurements(), study.nominal_residual() - nominal.delta - nominal.periodic, nominal.noise);
     const NoiseShape& shape = findings.likelihood->shape();
     log_noise_ = log_noise_alone(shape.noisier);
+    // With every autocorrelation: the search has left out those that do not matter beside its best cause.
     log_step_ =
         Likelihood(study.measurements(), *findings.states, noise_alone(), shape, study.nominal_residual())
             .log_step(study.nominal_residual());
@@ -158,7 +159,7 @@ class Weights {
   const Findings& found_;
   const Hyperpriors& priors_;
   double log_local_ = 0;          ///< of a local departure from the nominal model, over none
-  double log_noise_ = 0;          ///< probability that what scatters more than the rest is noise
+  double log_noise_ = 0;          ///< logarithm of the probability that what scatters more is noise
   double log_step_ = 0;           ///< log likelihood of a step beside the nominal model
   std::vector<double> log_odds_;  ///< by hypothesis beside an unknown torque: of being listed
 };

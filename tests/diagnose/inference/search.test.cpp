@@ -27,7 +27,8 @@ Experiment rich_bench() {
   return experiment;
 }
 
-/// Parameters drawn from what the effect may be: of any order of magnitude from its typical size to its bounds.
+/// Parameters drawn from what the effect may be: of any order of magnitude from its typical size to its
+/// bounds.
 std::vector<double> drawn(const Study& study, const EffectAt& at, std::mt19937& random) {
   std::vector<double> parameters;
   for (const ParameterRange& range : study.ranges(at)) {
@@ -65,7 +66,6 @@ TEST_CASE("no effect of the catalogue, put into the nominal model, is likelier t
   std::size_t asked = 0;
   for (const EffectAt& at : possible) {
     const std::vector<double> parameters = drawn(Study(bare), at, random);
-    // Its fit ends in local optima: docs/how-it-decides.md lists it among what fails.
     // Its fit at one joint ends in a local optimum: docs/how-it-decides.md lists it among what fails.
     if (at.effect->id == "hysteresis" && at.joint > 0) continue;
     if (!can_follow(bare, at, parameters)) continue;
