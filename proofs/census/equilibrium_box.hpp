@@ -10,8 +10,8 @@
 #include <plumbline/loaded/equilibrium.hpp>
 #include <vector>
 
-#include "proofs/exact/span.hpp"
 #include "proofs/census/window.hpp"
+#include "proofs/exact/span.hpp"
 
 namespace plumbline::proofs {
 

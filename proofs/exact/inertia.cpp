@@ -12,8 +12,9 @@ Eigen::MatrixXd middle(const Matrix<Span>& A) {
 
 namespace {
 
-/// D K D with powers of two in D that bring all rows to one size: it has as many negative eigenvalues (Sylvester), and
-/// rounding does not drown rows of small units, such as that of a constraint beside stiffnesses.
+/// D K D with powers of two in D that bring all rows to one size: it has as many negative eigenvalues
+/// (Sylvester), and rounding does not drown rows of small units, such as that of a constraint beside
+/// stiffnesses.
 Matrix<Span> balanced(Matrix<Span> K) {
   constexpr int rounds = 3;
   for (int round = 0; round < rounds; ++round)

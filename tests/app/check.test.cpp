@@ -92,5 +92,6 @@ TEST_CASE("certificates given to check are referred to the program that checks t
     CHECK(contains(outcome.err, std::string("python3 proofs/certificates/") + checker + " " + path));
     CHECK(std::filesystem::exists(sources + "/proofs/certificates/" + checker));
   }
-  CHECK(contains(here.plumbline("check " + sources + "/verify/reference/values/events.json").err, "found JSON"));
+  CHECK(contains(here.plumbline("check " + sources + "/verify/reference/values/events.json").err,
+                 "found JSON"));
 }

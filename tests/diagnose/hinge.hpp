@@ -20,7 +20,7 @@ inline constexpr double hinge_stiffness = 50, lever = 0.2, force_noise = 0.1;
 /// \param torque  at the hinge by deflection,
 /// called in the order of the readings of a run
 inline Experiment hinge(const std::vector<std::vector<double>>& deflections,
-                 const std::function<std::function<double(double)>()>& torque, unsigned seed) {
+                        const std::function<std::function<double(double)>()>& torque, unsigned seed) {
   Experiment experiment;
   experiment.name = "hinge";
   experiment.link_length = {lever, lever};

@@ -1,5 +1,5 @@
-#include "tests/fuzz/target.hpp"
 #include "support/work/journal.hpp"
+#include "tests/fuzz/target.hpp"
 
 /// The results of a work that was cut off.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {

@@ -10,10 +10,10 @@
 #include <random>
 #include <set>
 
+#include "proofs/certificates/equilibria_certificate.hpp"
 #include "proofs/exact/as_double.hpp"
 #include "proofs/exact/critical_modes.hpp"
 #include "proofs/exact/decimal.hpp"
-#include "proofs/certificates/equilibria_certificate.hpp"
 #include "proofs/exact/span.hpp"
 #include "tests/close_to.hpp"
 #include "tests/proofs/certificates/stand_alone.hpp"

@@ -206,8 +206,7 @@ void attack_in_space(StructureAdversary& adversary) {
     strong.push_back(adversary.one_in(3) ? weak.back() : adversary.size());
     const int longer = adversary.whole(-3, 3);
     const Rational stretch = shifted(Rational(1), longer);
-    joints.push_back(
-        {{{{0, -s * stretch, c * stretch}, weak.back()}, {{0, c, s}, strong.back()}}});
+    joints.push_back({{{{0, -s * stretch, c * stretch}, weak.back()}, {{0, c, s}, strong.back()}}});
     if (adversary.one_in(3)) joints.back().axes.push_back({{1, 0, 0}, adversary.size()});  // twist
   }
   SpaceLoad<Rational> load;

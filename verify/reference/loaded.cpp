@@ -5,10 +5,10 @@
 #include <plumbline/loaded/nominal_model.hpp>
 
 #include "proofs/census/census.hpp"
-#include "proofs/exact/certain_digits.hpp"
 #include "proofs/certificates/equilibria_certificate.hpp"
-#include "proofs/paths/followed_path.hpp"
 #include "proofs/certificates/path_certificate.hpp"
+#include "proofs/exact/certain_digits.hpp"
+#include "proofs/paths/followed_path.hpp"
 #include "verify/reference/draw.hpp"
 #include "verify/reference/set.hpp"
 

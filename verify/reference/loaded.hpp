@@ -40,7 +40,8 @@ std::optional<CertifiedEntry> equilibria_entry(const LoadedCase& loaded);
 std::optional<nlohmann::json> events_entry(const LoadedCase& loaded);
 
 /// A certificate of what the chain does while it is loaded slowly up to `window`, jumps included, in the
-/// format of proofs/certificates/path-certificate-format.md. Nothing for a passive base, and where a part is not proved.
+/// format of proofs/certificates/path-certificate-format.md. Nothing for a passive base, and where a part is
+/// not proved.
 std::optional<nlohmann::json> path_entry(const LoadedCase& loaded);
 
 /// The entries as a table: a row for each equilibrium or event, the lists in it joined by semicolons.

@@ -46,8 +46,8 @@ std::vector<double> repetitions(const Eigen::Ref<const VectorXd>& values) {
   return times;
 }
 
-/// Variance of m equal readings of a display over that of one: they share one rounding error. Their own scatter is
-/// no larger than keeps m of them within a step.
+/// Variance of m equal readings of a display over that of one: they share one rounding error. Their own
+/// scatter is no larger than keeps m of them within a step.
 double shared_error(double step, double times) {
   constexpr double few = 4;  // as large as a step noise makes so many equal once in thirty times
   const double rounding = step * step / 12,
@@ -61,12 +61,14 @@ class Quantisation final : public NoiseTerm {
     if (evidence.shape.quantised) return std::nullopt;
     VectorXd wider = VectorXd::Ones(evidence.standardised.size());
     for (const Series& series : evidence.measurements.series()) {
-      const auto first = static_cast<Eigen::Index>(series.first), count = static_cast<Eigen::Index>(series.readings.size());
+      const auto first = static_cast<Eigen::Index>(series.first),
+                 count = static_cast<Eigen::Index>(series.readings.size());
       const auto values = evidence.measurements.value().segment(first, count);
       const double step = display_step(values);
       const std::vector<double> times = repetitions(values);
       for (Eigen::Index i = 0; step > 0 && i < count; ++i)
-        wider(first + i) = std::sqrt(shared_error(step / evidence.measurements.sigma()(first + i), times[static_cast<std::size_t>(i)]));
+        wider(first + i) = std::sqrt(shared_error(step / evidence.measurements.sigma()(first + i),
+                                                  times[static_cast<std::size_t>(i)]));
     }
     if ((wider.array() == 1).all()) return std::nullopt;
     constexpr double certain = std::numeric_limits<double>::infinity();

@@ -136,9 +136,8 @@ TEST_CASE(
   for (const std::vector<std::size_t>& joints : {std::vector<std::size_t>{1, 2, 3}, {2}}) {
     const double stiffness = joints.size() == 3 ? (2 + 1.5 + 1) / 3 : 1.5;
     const auto truth = [&](const Study&) {
-      return TorqueLaw{{law_of(joints, stiffness, [&](double d) { return stiffness * d * d * d; })},
-                       {finest_knots},
-                       1};
+      return TorqueLaw{
+          {law_of(joints, stiffness, [&](double d) { return stiffness * d * d * d; })}, {finest_knots}, 1};
     };
     const Study study(pressed_with(truth, 5));
     const auto found = fit_torque_law(study, declared_noise(study));

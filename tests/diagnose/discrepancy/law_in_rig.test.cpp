@@ -76,12 +76,10 @@ TEST_CASE("what is left with a law is the sum of squares in the noise, without o
           sum += std::pow(residual(static_cast<Eigen::Index>(i)) / noise.of(series.channel).scale, 2);
     return sum;
   };
-  CHECK(left_with(study, noise, none) ==
-        close_to(squares(study.nominal_residual())).epsilon(1e-6));
+  CHECK(left_with(study, noise, none) == close_to(squares(study.nominal_residual())).epsilon(1e-6));
   const TorqueLaw law = straight_law(study, {2}, {-1, 1, 40}, 0.3);
   const Prediction stiffer = predict(study, only("joint_stiffness", 2), {0.2});
-  CHECK(left_with(study, noise, law) ==
-        close_to(squares(study.residual(stiffer))).epsilon(1e-6));
+  CHECK(left_with(study, noise, law) == close_to(squares(study.residual(stiffer))).epsilon(1e-6));
   // A spring that pushes away holds no posture.
   CHECK(left_with(study, noise, straight_law(study, {1, 2, 3}, {-1, 1, 40}, -30)) ==
         std::numeric_limits<double>::infinity());

@@ -97,8 +97,7 @@ double left_unseen(const Study& study, const NoiseEstimate& noise) {
   const Experiment& experiment = study.experiment();
   // A rest angle of one is a torque of the spring's stiffness, that way.
   const Prediction answer = predict(study, only("rest_angle", 1), {0.0}, true);
-  const Eigen::VectorXd per_torque =
-      study.measurements().in_sigmas(answer.sensitivity[0]) / -hinge_stiffness;
+  const Eigen::VectorXd per_torque = study.measurements().in_sigmas(answer.sensitivity[0]) / -hinge_stiffness;
   std::vector<Eigen::VectorXd> bent;
   LawSpan span;
   for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
@@ -129,8 +128,8 @@ double left_unseen(const Study& study, const NoiseEstimate& noise) {
       const std::size_t reading = series.readings[i], block = 10 * reading / run.readings.size();
       const auto value = static_cast<Eigen::Index>(series.first + i);
       const double scale = noise.of(series.channel).scale, left = residual(value) / scale;
-      const Eigen::VectorXd slope = per_torque(value) / scale *
-                                    terms.row(static_cast<Eigen::Index>(reading)).transpose();
+      const Eigen::VectorXd slope =
+          per_torque(value) / scale * terms.row(static_cast<Eigen::Index>(reading)).transpose();
       const std::size_t later = series.run == lesser ? 1 : 0;
       for (const std::size_t fold : {(block + later) % 5, 5 + (block + 5 - later) % 5})
         folds.parts[fold] += {slope * slope.transpose(), slope * left, left * left};

@@ -21,7 +21,8 @@ std::vector<double> unit_coordinate(std::size_t count, std::size_t which) {
 
 }  // namespace
 
-TEST_CASE("an unknown torque acts at its joint alone, is nothing at rest, and reaches beyond what is exercised") {
+TEST_CASE(
+    "an unknown torque acts at its joint alone, is nothing at rest, and reaches beyond what is exercised") {
   const Study study(full_bench());
   const auto rows = unknown_torques(study);
   REQUIRE(rows->size() == 2);
@@ -52,7 +53,8 @@ TEST_CASE("an unknown torque acts at its joint alone, is nothing at rest, and re
     CHECK(difference(predict(study, {{at}}, values).runs[r], own.nominal().runs[r]) == 0);
 }
 
-TEST_CASE("an unknown torque is a Gaussian process of covariance Matern 5/2 that is known to be zero at rest") {
+TEST_CASE(
+    "an unknown torque is a Gaussian process of covariance Matern 5/2 that is known to be zero at rest") {
   const Study study(full_bench());
   const auto rows = unknown_torques(study);
   const auto matern = [](double distance) {

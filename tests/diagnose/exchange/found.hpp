@@ -18,7 +18,8 @@ inline std::vector<double> sizeable(const Study& study, const EffectAt& at) {
 }
 
 /// A cause with these values, in fitted coordinates.
-inline diagnose::RankedCause ranked(const diagnose::Candidate& candidate, const std::vector<double>& parameters) {
+inline diagnose::RankedCause ranked(const diagnose::Candidate& candidate,
+                                    const std::vector<double>& parameters) {
   diagnose::RankedCause cause{};
   cause.hypothesis.candidate = cause.cause = candidate;
   cause.hypothesis.parameters = parameters;
@@ -28,8 +29,18 @@ inline diagnose::RankedCause ranked(const diagnose::Candidate& candidate, const 
 /// A diagnosis that found this.
 inline diagnose::Diagnosis found(const Study& study, const EffectAt& at,
                                  const std::vector<double>& parameters) {
-  diagnose::Diagnosis diagnosis{study.experiment().name, {}, {}, {}, diagnose::test::declared_noise(study), {}, {}, {},
-                                false, {}, {}, {}};
+  diagnose::Diagnosis diagnosis{study.experiment().name,
+                                {},
+                                {},
+                                {},
+                                diagnose::test::declared_noise(study),
+                                {},
+                                {},
+                                {},
+                                false,
+                                {},
+                                {},
+                                {}};
   diagnosis.cause.verdict = diagnose::CauseVerdict::identified;
   diagnosis.cause.ranking.push_back(ranked({{at}}, parameters));
   diagnosis.cause.named = 1;

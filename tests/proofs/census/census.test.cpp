@@ -9,8 +9,8 @@
 #include <plumbline/loaded/nominal_model.hpp>
 #include <random>
 
-#include "proofs/exact/as_double.hpp"
 #include "proofs/census/equilibrium_box.hpp"
+#include "proofs/exact/as_double.hpp"
 
 using namespace plumbline;
 using namespace plumbline::proofs;

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "proofs/exact/as_double.hpp"
 #include "proofs/census/census.hpp"
+#include "proofs/exact/as_double.hpp"
 #include "proofs/exact/certain_digits.hpp"
 #include "proofs/exact/decimal.hpp"
 #include "proofs/exact/span.hpp"

@@ -5,8 +5,8 @@
 #include <Eigen/LU>
 #include <random>
 
-#include "proofs/paths/branch_equations.hpp"
 #include "proofs/exact/inertia.hpp"
+#include "proofs/paths/branch_equations.hpp"
 #include "tests/close_to.hpp"
 
 using namespace plumbline;

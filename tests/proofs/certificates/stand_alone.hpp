@@ -17,7 +17,8 @@ inline int check_alone(const std::string& checker, const char* format,
                        const std::vector<nlohmann::json>& certificates) {
   const auto path = std::filesystem::temp_directory_path() / ("plumbline-" + checker + ".json");
   std::ofstream(path) << certificate_file(format, {"test", "test", ""}, certificates);
-  const std::string command = "python3 -B " PLUMBLINE_SOURCE_DIR "/proofs/certificates/" + checker + " " + path.string();
+  const std::string command =
+      "python3 -B " PLUMBLINE_SOURCE_DIR "/proofs/certificates/" + checker + " " + path.string();
   const int status = std::system((command + " >/dev/null").c_str());
   std::filesystem::remove(path);
   return status;

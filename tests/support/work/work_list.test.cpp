@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include "support/files/text_file.hpp"
-#include "tests/folder.hpp"
 #include "support/work/journal.hpp"
+#include "tests/folder.hpp"
 
 using namespace plumbline::work;
 

@@ -26,7 +26,8 @@ Experiment loaded_and_unloaded() {
   return experiment;
 }
 
-Trace predicted_load(const Experiment& experiment, const Candidate& candidate, const std::vector<double>& value) {
+Trace predicted_load(const Experiment& experiment, const Candidate& candidate,
+                     const std::vector<double>& value) {
   const Prediction prediction = predict(Study(experiment), candidate, value);
   REQUIRE(prediction.reached);
   return prediction.runs[0];
@@ -80,10 +81,10 @@ TEST_CASE("a camera that is scaled or turned shows the end point so, and nothing
     CHECK(difference(scaled.col(column), 1.05 * nominal.col(column)) < solver_digits);
   const double eps = 0.2;
   const Trace turned = predicted_load(experiment, only("camera_turn"), {eps});
-  CHECK(difference(turned.col(column_x),
-                   std::cos(eps) * nominal.col(column_x) - std::sin(eps) * nominal.col(column_y)) < solver_digits);
-  CHECK(difference(turned.col(column_y),
-                   std::sin(eps) * nominal.col(column_x) + std::cos(eps) * nominal.col(column_y)) < solver_digits);
+  CHECK(difference(turned.col(column_x), std::cos(eps) * nominal.col(column_x) -
+                                             std::sin(eps) * nominal.col(column_y)) < solver_digits);
+  CHECK(difference(turned.col(column_y), std::sin(eps) * nominal.col(column_x) +
+                                             std::cos(eps) * nominal.col(column_y)) < solver_digits);
   for (const Trace* shown : {&scaled, &turned})
     CHECK(difference(shown->rightCols(5).rightCols(3), nominal.rightCols(3)) < solver_digits);
   // Where the drive leads the end point, no camera is asked where it is.

@@ -242,7 +242,8 @@ TEST_CASE("friction that gives is a spring until it slips; one that gives next t
     CHECK(moment(trace, row) - spring_stiffness * q == doctest::Approx(tau * carried).scale(1).epsilon(1e-8));
   }
   CHECK(difference(trace, predicted_run(bench, only("hysteresis", 1),
-                                        {tau / (d_s * spring_stiffness), d_s, 0, 1, 0, 1})) < solver_accuracy);
+                                        {tau / (d_s * spring_stiffness), d_s, 0, 1, 0, 1})) <
+        solver_accuracy);
   CHECK(difference(predicted_run(cycle(), gives, {0.02, std::log(1e-9)}),
                    predicted_run(cycle(), only("joint_friction"), {0.02})) == 0);
 }

@@ -59,8 +59,9 @@ Experiment two_presses() {
 /// Fits beside independent noise, to the end.
 struct WhiteNoise {
   explicit WhiteNoise(const Study& of)
-      : study(of), likelihood(of.measurements(), CommandStates(of.experiment()), white_noise_alone(),
-                              NoiseShape(of.measurements()), of.nominal_residual()) {}
+      : study(of),
+        likelihood(of.measurements(), CommandStates(of.experiment()), white_noise_alone(),
+                   NoiseShape(of.measurements()), of.nominal_residual()) {}
   [[nodiscard]] Hypothesis fitted(const Candidate& candidate, const std::vector<double>& start) const {
     return maximised(study, likelihood, candidate, start, {50, 1e-9, true});
   }
@@ -381,8 +382,7 @@ TEST_CASE("guesses of shape parameters lie within their bounds, those of amounts
   REQUIRE(fitted.converged);
   const MatrixXd spread = covariance(read, fitted);
   for (const auto& [p, truth] : {std::pair{0, 0.15}, {1, 0.07}})
-    CHECK(std::abs(fitted.parameters[static_cast<std::size_t>(p)] - truth) <
-          5 * std::sqrt(spread(p, p)));
+    CHECK(std::abs(fitted.parameters[static_cast<std::size_t>(p)] - truth) < 5 * std::sqrt(spread(p, p)));
 }
 
 namespace {
