@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <plumbline/base/error.hpp>
 
 #include "app/complaints.hpp"
@@ -28,31 +29,29 @@ const char* si_unit(const std::string& what) {
   return what[0] == 'q' || what == "angle" ? "rad" : "m";
 }
 
-/// \param joints  of the chain
-double value_of(const diagnose::Reading& reading, std::size_t column, std::size_t joints) {
-  const double first[] = {reading.t, reading.x, reading.y, reading.Fx, reading.Fy};
-  if (column < std::size(first)) return first[column];
-  const std::size_t place = column - std::size(first), joint = place % joints;
-  if (place >= 2 * joints) return reading.second_load[place - 2 * joints];
-  const std::vector<double>& angles = place < joints ? reading.q : reading.rest;
-  return joint < angles.size() ? angles[joint] : NAN;
+/// The channel of an origin; none for the time and for commands.
+std::optional<Channel> channel_of(const Run& run, const Origin& origin) {
+  for (const std::vector<Channel>& channels : {run.imposed(), run.measurable()})
+    for (const Channel& one : channels)
+      if (one.label() == origin.what) return one;
+  return std::nullopt;
 }
 
-double noise_of(const diagnose::Noise& noise, std::size_t column, std::size_t joints) {
-  const double first[] = {0, noise.x, noise.y, noise.Fx, noise.Fy}, second[] = {noise.Fx_2, noise.Fy_2};
-  if (column < std::size(first)) return first[column];
-  const std::size_t place = column - std::size(first);
-  return place < 2 * joints ? noise.q : second[place - 2 * joints];
+double value_of(const diagnose::Reading& reading, const Origin& origin, const std::optional<Channel>& channel) {
+  if (channel) return channel->of(reading);
+  if (origin.what == "t") return reading.t;
+  return reading.rest.at(std::stoul(origin.what.substr(std::string_view("q_command").size())) - 1);
 }
 
 /// "Fx  Kraft, kgf  -3.64 to 0 N, 9 readings, noise 0.0196 N".
 std::string column_line(const Experiment& experiment, const Run& run, std::size_t column) {
   const Origin& origin = run.origins[column];
   const std::string name = fmt::format("    {:<3} ", origin.what);
+  const std::optional<Channel> channel = channel_of(run, origin);
   std::size_t count = 0;
   double least = INFINITY, most = -INFINITY;
   for (const diagnose::Reading& reading : run.readings) {
-    const double value = value_of(reading, column, experiment.link_length.size());
+    const double value = value_of(reading, origin, channel);
     if (std::isnan(value)) continue;
     ++count;
     least = std::min(least, value + 0.0), most = std::max(most, value + 0.0);  // no "-0"
@@ -64,15 +63,11 @@ std::string column_line(const Experiment& experiment, const Run& run, std::size_
   line += least == most ? fmt::format("{:.4g}", least) : fmt::format("{:.4g} to {:.4g}", least, most);
   line += fmt::format(" {}", si_unit(origin.what));
   const auto imposed = run.imposed();
-  const bool is_imposed = origin.what.starts_with("q_command") ||
-                          std::any_of(imposed.begin(), imposed.end(),
-                                      [&](const Channel& one) { return one.label() == origin.what; });
-  if (is_imposed) return line + ", imposed\n";
   if (origin.what == "t") return line + "\n";
+  if (!channel || std::find(imposed.begin(), imposed.end(), *channel) != imposed.end())
+    return line + ", imposed\n";
   if (count < run.readings.size()) line += fmt::format(", {} of {} readings", count, run.readings.size());
-  return line + fmt::format(", noise {:.3g} {}\n",
-                            noise_of(experiment.noise, column, experiment.link_length.size()),
-                            si_unit(origin.what));
+  return line + fmt::format(", noise {:.3g} {}\n", channel->sigma(experiment.noise), si_unit(origin.what));
 }
 
 /// "temperature  T  20.1 to 24.3, 55 of 60 readings interpolated", "tension  F, mN  0 to 12 N, a load".
@@ -134,7 +129,7 @@ std::string what_was_read(const Experiment& experiment) {
       const std::string& what = run.origins[c].what;
       const bool there = what.starts_with("q_command")      ? run.commands_joints()
                          : what.ends_with("_2")             ? !run.origins[c].source.empty()
-                         : what[0] == 'q'                   ? !run.readings.front().q.empty()
+                         : what[0] == 'q'                   ? run.reads_angles()
                          : run.alone != diagnose::Alone::no ? what != "y" && what != "Fy"
                                                             : true;
       if (there) text += column_line(experiment, run, c);

@@ -30,7 +30,7 @@ bool goes_on(const Experiment& experiment, const Run& before, const Run& run) {
   if (before.readings.size() < 2 || run.readings.empty() || run.commands_joints()) return false;
   if (run.control != before.control || run.rest != before.rest || run.begins_moving ||
       run.by_weights != before.by_weights || before.commands_joints() ||
-      run.readings.front().q.size() != before.readings.front().q.size())
+      run.reads_angles() != before.reads_angles())
     return false;
   const Reading &last = before.readings.back(), &first = run.readings.front();
   const double pause = first.t - last.t, step = steps_apart * longest_step(before);

@@ -66,11 +66,11 @@ void scale(std::vector<double>& values, double factor) {
 }
 
 void scale_forces(Run& run, double factor) {
-  for (Reading& r : run.readings) r.Fx *= factor, r.Fy *= factor;
+  for (Reading& r : run.readings) r[column_Fx] *= factor, r[column_Fy] *= factor;
 }
 
 void scale_positions(Run& run, double factor) {
-  for (Reading& r : run.readings) r.x *= factor, r.y *= factor;
+  for (Reading& r : run.readings) r[column_x] *= factor, r[column_y] *= factor;
 }
 
 /// A mapping of two axes.
@@ -135,9 +135,18 @@ void add_forces(const Experiment& e, std::vector<Conversion>& all) {
                    0,
                    one.mirrors_y(),
                    [one](Run& run) {
-                     for (Reading& r : run.readings) one(r.Fx, r.Fy);
+                     for (Reading& r : run.readings) one(r[column_Fx], r[column_Fy]);
                    },
                    {}});
+  }
+}
+
+/// Changes the joint angles that are read.
+void each_angles(Run& run, const std::function<void(std::vector<double>&)>& change) {
+  for (Reading& reading : run.readings) {
+    std::vector<double> angles = reading.angles(run.rest.size());
+    change(angles);
+    for (std::size_t j = 0; j < angles.size(); ++j) Channel(Channel::Name::q, j).in(reading) = angles[j];
   }
 }
 
@@ -189,7 +198,7 @@ void add_angles(const Experiment& e, bool rest, bool readings, std::vector<Conve
                    [=](Run& run) {
                      if (rest) run.each_rest(one.convert);
                      if (!readings) return;
-                     for (Reading& r : run.readings) one.convert(r.q);
+                     each_angles(run, one.convert);
                    },
                    {}});
   }
@@ -204,7 +213,7 @@ bool is_bent_at_rest(const Experiment& e, std::size_t joint) {
 
 bool measures_angles(const Experiment& e) {
   return std::any_of(e.runs.begin(), e.runs.end(),
-                     [](const Run& run) { return !run.readings.empty() && !run.readings.front().q.empty(); });
+                     [](const Run& run) { return run.reads_angles(); });
 }
 
 /// One joint whose angle has the opposite sign: at rest, in the readings, or both.
@@ -227,8 +236,7 @@ void add_turned_joints(const Experiment& e, std::vector<Conversion>& all) {
       run.each_rest([j](std::vector<double>& rest) { rest[j] *= -1; });
     };
     const auto turn_readings = [j](Run& run) {
-      for (Reading& r : run.readings)
-        if (j < r.q.size()) r.q[j] *= -1;
+      for (Reading& r : run.readings) r[Channel(Channel::Name::q, j).column] *= -1;
     };
     const std::string number = std::to_string(j + 1), rest = "rest of joint " + number, q = "q" + number,
                       sign = " with the sign of joint " + number + " turned", column = "the column of " + q;
@@ -257,7 +265,7 @@ void add_positions(const Experiment& e, std::vector<Conversion>& all) {
   }
   for (const Axes& one : axes) {
     const auto positions = [one](Run& run) {
-      for (Reading& r : run.readings) one(r.x, r.y);
+      for (Reading& r : run.readings) one(r[column_x], r[column_y]);
     };
     all.push_back({"x, y",
                    std::string("an end point ") + one.name,
@@ -275,7 +283,7 @@ void add_positions(const Experiment& e, std::vector<Conversion>& all) {
                    one.mirrors_y(),
                    [one, positions](Run& run) {
                      positions(run);
-                     for (Reading& r : run.readings) one(r.Fx, r.Fy);
+                     for (Reading& r : run.readings) one(r[column_Fx], r[column_Fy]);
                    },
                    {}});
   }
@@ -353,11 +361,11 @@ std::vector<Conversion> conversions_of_joint(const Experiment& e) {
   const bool slides = e.alone == Alone::slides;
   std::vector<Conversion> all;
   if (slides) {
-    add_channel_of_joint(e, {Channel::Name::Fx}, forces, quantity::force, all);
-    add_channel_of_joint(e, {Channel::Name::x}, lengths, quantity::length, all);
+    add_channel_of_joint(e, Channel(Channel::Name::Fx), forces, quantity::force, all);
+    add_channel_of_joint(e, Channel(Channel::Name::x), lengths, quantity::length, all);
   } else {
-    add_channel_of_joint(e, {Channel::Name::torque}, torques, quantity::torque, all);
-    add_channel_of_joint(e, {Channel::Name::angle}, angles_in, quantity::angle, all);
+    add_channel_of_joint(e, Channel(Channel::Name::torque), torques, quantity::torque, all);
+    add_channel_of_joint(e, Channel(Channel::Name::angle), angles_in, quantity::angle, all);
   }
   add_units_of_stiffness(e, slides ? sliding : stiffnesses,
                          slides ? quantity::sliding_stiffness : quantity::stiffness, all);

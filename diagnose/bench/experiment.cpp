@@ -14,35 +14,41 @@ using Name = Channel::Name;
 
 /// Where the end point is, or the joint that is alone.
 std::vector<Channel> place_channels(Alone alone) {
-  if (alone == Alone::turns) return {{Name::angle}};
-  return alone == Alone::slides ? std::vector<Channel>{{Name::x}}
-                                : std::vector<Channel>{{Name::x}, {Name::y}};
+  if (alone == Alone::turns) return {Channel(Name::angle)};
+  return alone == Alone::slides ? std::vector<Channel>{Channel(Name::x)}
+                                : std::vector<Channel>{Channel(Name::x), Channel(Name::y)};
 }
 
 /// What loads it.
 std::vector<Channel> load_channels(Alone alone) {
-  if (alone == Alone::turns) return {{Name::torque}};
-  return alone == Alone::slides ? std::vector<Channel>{{Name::Fx}}
-                                : std::vector<Channel>{{Name::Fx}, {Name::Fy}};
+  if (alone == Alone::turns) return {Channel(Name::torque)};
+  return alone == Alone::slides ? std::vector<Channel>{Channel(Name::Fx)}
+                                : std::vector<Channel>{Channel(Name::Fx), Channel(Name::Fy)};
 }
 
 /// What a second sensor reads of that.
 std::vector<Channel> second_load_channels(Alone alone) {
-  if (alone == Alone::turns) return {{Name::torque_2}};
-  return alone == Alone::slides ? std::vector<Channel>{{Name::Fx_2}}
-                                : std::vector<Channel>{{Name::Fx_2}, {Name::Fy_2}};
+  if (alone == Alone::turns) return {Channel(Name::torque_2)};
+  return alone == Alone::slides ? std::vector<Channel>{Channel(Name::Fx_2)}
+                                : std::vector<Channel>{Channel(Name::Fx_2), Channel(Name::Fy_2)};
 }
 
 }  // namespace
 
+std::vector<double> Reading::angles(std::size_t joints) const {
+  std::vector<double> all;
+  for (std::size_t j = 0; j < joints; ++j) all.push_back(Channel(Name::q, j).of(*this));
+  return all;
+}
+
 Reading between(const Reading& from, const Reading& to, double share) {
-  const auto at = [share](double a, double b) { return a + share * (b - a); };
-  Reading one{at(from.t, to.t),   at(from.x, to.x),   at(from.y, to.y),
-              at(from.Fx, to.Fx), at(from.Fy, to.Fy), {},
-              from.rest,          from.covariates};
-  for (std::size_t i = 0; i < one.rest.size(); ++i) one.rest[i] = at(from.rest[i], to.rest[i]);
-  for (std::size_t i = 0; i < one.covariates.size(); ++i)
-    one.covariates[i] = at(from.covariates[i], to.covariates[i]);
+  const auto all = [share](std::vector<double> a, const std::vector<double>& b) {
+    for (std::size_t i = 0; i < a.size(); ++i) a[i] += share * (b[i] - a[i]);
+    return a;
+  };
+  Reading one{from.t + share * (to.t - from.t), {}, all(from.rest, to.rest), all(from.covariates, to.covariates)};
+  for (const std::ptrdiff_t column : {column_x, column_y, column_Fx, column_Fy})
+    one[column] = from[column] + share * (to[column] - from[column]);
   return one;
 }
 
@@ -59,7 +65,8 @@ std::vector<Channel> Run::answering() const {
 }
 
 Eigen::Vector2d Run::imposed_at(const Reading& reading) const {
-  return holds_end_point() ? Eigen::Vector2d(reading.x, reading.y) : Eigen::Vector2d(reading.Fx, reading.Fy);
+  return holds_end_point() ? Eigen::Vector2d(reading[column_x], reading[column_y])
+                           : Eigen::Vector2d(reading[column_Fx], reading[column_Fy]);
 }
 
 Eigen::Vector2d Run::command(const Reading& reading) const {
@@ -119,20 +126,40 @@ double Run::sampling_interval() const {
   return pauses.empty() ? 0 : median(std::move(pauses));
 }
 
-std::vector<Channel> Run::measured() const {
+std::vector<Channel> Run::measurable() const {
   std::vector<Channel> channels = answering();
-  for (std::size_t j = 0; !readings.empty() && j < readings.front().q.size(); ++j)
-    channels.push_back({Name::q, j});
-  if (readings.empty()) return channels;
-  for (const Channel& channel : second_load_channels(alone))
-    if (std::any_of(readings.begin(), readings.end(),
+  const std::size_t joints = rest.size();
+  if (alone == Alone::no)
+    for (std::size_t j = 0; j < joints; ++j) channels.emplace_back(Name::q, j);
+  for (const Channel& channel : second_load_channels(alone)) channels.push_back(channel);
+  std::size_t columns = 0;
+  for (const Reading& reading : readings) columns = std::max(columns, reading.value.size());
+  if (columns <= static_cast<std::size_t>(column_q) + joints) return channels;
+  for (std::size_t c = 0; Channel(Name::turn, c, joints).column < static_cast<std::ptrdiff_t>(columns); c += 3)
+    for (const Name name : {Name::place, Name::turn})
+      for (std::size_t axis = 0; axis < 3; ++axis) channels.emplace_back(name, c + axis, joints);
+  for (std::size_t j = 0; j < joints; ++j) channels.emplace_back(Name::drive, j, joints);
+  return channels;
+}
+
+std::vector<Channel> Run::measured() const {
+  const std::size_t answers = answering().size();
+  const auto is_planned = [&](const Channel& one) {
+    return std::find(planned.begin(), planned.end(), one) != planned.end();
+  };
+  std::vector<Channel> channels;
+  for (const Channel& channel : measurable())
+    if (channels.size() < answers || is_planned(channel) ||
+        std::any_of(readings.begin(), readings.end(),
                     [&](const Reading& one) { return std::isfinite(channel.of(one)); }))
       channels.push_back(channel);
-  const Reading& first = readings.front();
-  for (std::size_t i = 0; i < first.points.size(); ++i)
-    channels.push_back({i % 6 < 3 ? Name::place : Name::turn, 3 * (i / 6) + i % 3});
-  for (std::size_t j = 0; j < first.torque.size(); ++j) channels.push_back({Name::drive, j});
   return channels;
+}
+
+bool Run::reads_angles() const {
+  return std::ranges::any_of(readings, [&](const Reading& one) {
+    return std::ranges::any_of(one.angles(rest.size()), [](double q) { return std::isfinite(q); });
+  });
 }
 
 std::size_t Run::first_taken(std::size_t reading) const {

@@ -21,23 +21,30 @@ namespace plumbline::diagnose {
 /// Largest number of covariates of an experiment.
 inline constexpr std::size_t most_covariates = 8;
 
-/// One reading. A missing value is NaN; imposed channels hold the command. (Fx, Fy) is the force of the
-/// environment on the end point: compression is Fx < 0. Of a joint alone x is the angle, Fx the torque of the
-/// environment, and y and Fy are 0.
+/// One reading. A missing value is NaN; imposed channels hold the command.
 struct Reading {
-  double t, x, y, Fx, Fy;
-  std::vector<double> q;  ///< relative joint angles; empty where the run has no such columns
+  double t;
+  /// By column of its channel. The first are x, y, Fx, Fy: where the end point is, and the force of the
+  /// environment on it, of which compression is Fx < 0; or the angle of a joint alone, 0, its torque, and 0.
+  std::vector<double> value;
   std::vector<double> rest =
       {};  ///< joint angles commanded at this reading; empty where those of the run hold
   std::vector<double> covariates = {};  ///< values of Experiment::covariates, in the units of the table
-  /// Of an arm in space, else empty. Six numbers for each of its points: place, and rotation vector in the
-  /// frame of the tracker.
-  std::vector<double> points = {};
-  std::vector<double> wrench = {};  ///< on the arm, in the axes of the world: force, N, and moment, N m
-  std::vector<double> torque = {};  ///< of the drives, N m or N
-  /// Of a second sensor of the load on a chain's end point, or on a joint alone; NaN without.
-  std::array<double, 2> second_load = {std::nan(""), std::nan("")};
+  std::vector<double> wrench = {};      ///< on an arm, in the axes of the world: force, N, and moment, N m
 
+  /// NaN beyond the last value.
+  [[nodiscard]] double operator[](std::ptrdiff_t column) const {
+    const auto place = static_cast<std::size_t>(column);
+    return place < value.size() ? value[place] : std::nan("");
+  }
+  /// For writing; what stands between is NaN.
+  [[nodiscard]] double& operator[](std::ptrdiff_t column) {
+    const auto place = static_cast<std::size_t>(column);
+    if (place >= value.size()) value.resize(place + 1, std::nan(""));
+    return value[place];
+  }
+  /// The angles of the joints.
+  [[nodiscard]] std::vector<double> angles(std::size_t joints) const;
   /// The force of the wrench; zero without one.
   [[nodiscard]] Eigen::Vector3d wrench_force() const {
     if (wrench.empty()) return Eigen::Vector3d::Zero();
@@ -75,11 +82,12 @@ struct Branch {
   [[nodiscard]] std::size_t first() const;
 };
 
-/// Declared standard deviation of one reading; 0 for a channel that has none.
+/// Declared standard deviation of one reading, by kind of channel; 0 for a channel that has none.
 struct Noise {
-  double x = 0, y = 0, Fx = 0, Fy = 0, q = 0;
-  double place = 0, turn = 0, torque = 0;  ///< of an arm's points, m and rad, and of its drives
-  double Fx_2 = 0, Fy_2 = 0;               ///< of a second sensor of the load
+  std::array<double, channel_names> sigma{};
+
+  [[nodiscard]] double operator[](Channel::Name name) const { return sigma[static_cast<std::size_t>(name)]; }
+  [[nodiscard]] double& operator[](Channel::Name name) { return sigma[static_cast<std::size_t>(name)]; }
 };
 
 /// One loading history from rest, readings in the order in which they were taken.
@@ -101,6 +109,7 @@ struct Run {
   std::optional<Branch> branch =
       std::nullopt;                     ///< the observed branch, where the nominal model may take either
   std::vector<LoadChannel> loads = {};  ///< what loads the chain besides, as part of the command
+  std::vector<Channel> planned = {};    ///< channels to be measured, where nothing has been yet
 
   [[nodiscard]] bool holds_end_point() const { return control == Control::end_point; }
   /// The imposed channels, along x and along y; of a joint alone its angle or its torque.
@@ -148,8 +157,11 @@ struct Run {
   [[nodiscard]] bool counts_readings() const;
   /// Median interval between readings of different times, s; zero where no time passes.
   [[nodiscard]] double sampling_interval() const;
-  /// The measured channels: those that answer, then the joint angles with columns.
+  /// The channels that answer or that some reading has, and those that are planned.
   [[nodiscard]] std::vector<Channel> measured() const;
+  [[nodiscard]] bool reads_angles() const;
+  /// All channels that the bench could measure besides the imposed ones.
+  [[nodiscard]] std::vector<Channel> measurable() const;
   /// The first and last original reading, from 0, of a decimated reading.
   [[nodiscard]] std::size_t first_taken(std::size_t reading) const;
   [[nodiscard]] std::size_t last_taken(std::size_t reading) const;

@@ -38,7 +38,11 @@ struct FromEnd {
     for (Run& run : e.runs) {
       if (rest) run.each_rest(reverse_angles);
       if (!readings) continue;
-      for (Reading& r : run.readings) reverse_angles(r.q);
+      for (Reading& r : run.readings) {
+        std::vector<double> angles = r.angles(run.rest.size());
+        reverse_angles(angles);
+        for (std::size_t j = 0; j < angles.size(); ++j) Channel(Channel::Name::q, j).in(r) = angles[j];
+      }
     }
   }
 
@@ -75,10 +79,6 @@ struct FromEnd {
   }
 };
 
-bool reads_angles(const Run& run) {
-  return !run.readings.empty() && !run.readings.front().q.empty();
-}
-
 }  // namespace
 
 void add_order_of_chain(const Experiment& e, std::vector<Conversion>& all) {
@@ -94,7 +94,7 @@ void add_order_of_chain(const Experiment& e, std::vector<Conversion>& all) {
     with_angles.rest = std::any_of(e.runs.begin(), e.runs.end(),
                                    [sense](const Run& run) { return has_ends(run.rest, sense); });
     if (with_angles.rest) all.push_back(with_angles.conversion());
-    with_angles.readings = std::any_of(e.runs.begin(), e.runs.end(), reads_angles);
+    with_angles.readings = std::ranges::any_of(e.runs, &Run::reads_angles);
     if (with_angles.readings) all.push_back(with_angles.conversion());
   }
 }

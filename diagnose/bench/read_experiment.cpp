@@ -101,16 +101,18 @@ Bench read_bench(const Section& root, Alone alone) {
 
 /// Each noise in the unit of its readings.
 Noise read_noise(const Section& noise, const SampleFormat& format) {
-  const auto sigma = [&](std::size_t column) {
-    const std::string key = column == place_q1 ? "q" : format.columns[column].channel;
-    return in_si(noise.non_negative(key), format.columns[column].unit);
-  };
   const std::set<std::string> all{"x", "y", "Fx", "Fy", "Fx_2", "Fy_2", "q", "angle", "torque", "torque_2"};
   noise.allow_only(all);
   for (const std::string& key : all)
     if (noise.has(key) && !has_channel(format.alone, key)) refuse_channel(noise, format.alone, key);
-  Noise read{sigma(place_x), sigma(place_y), sigma(place_Fx), sigma(place_Fy), sigma(place_q1)};
-  read.Fx_2 = sigma(format.place_second1()), read.Fy_2 = sigma(format.place_second1() + 1);
+  Noise read;
+  for (std::size_t column = place_x; column < format.place_covariate1(); ++column) {
+    const std::string key = column == place_q1 ? "q" : format.columns[column].channel;
+    const auto kind =
+        std::ranges::find_if(channel_kinds, [&](const ChannelKind& one) { return one.label == key; });
+    if (kind != channel_kinds.end())
+      read[kind->name] = in_si(noise.non_negative(key), format.columns[column].unit);
+  }
   return read;
 }
 
@@ -146,7 +148,7 @@ struct Shared {
 /// Whether all forces of a run point straight down without noise, as weights do and a servo with a load cell
 /// hardly would.
 bool pulls_as_weights_do(const Run& run, const Experiment& experiment) {
-  const bool exact = experiment.noise.Fx == 0 && experiment.noise.Fy == 0;
+  const bool exact = experiment.noise[Channel::Name::Fx] == 0 && experiment.noise[Channel::Name::Fy] == 0;
   if (run.holds_end_point() || experiment.bench.plane != Bench::Plane::vertical || !exact) return false;
   constexpr double three_decimals = 1e-3;  // of the direction of gravity
   const Eigen::Vector2d down = experiment.bench.down().normalized();
@@ -331,10 +333,10 @@ Experiment read_arm_settings(const Section& root, const Source& source) {
   const Section noise = root.table("noise");
   noise.allow_only({"place", "turn", "q", "torque"});
   const PoseUnits& units = format.units;
-  experiment.noise.q = in_si(noise.non_negative("q"), units.angle);
-  experiment.noise.place = in_si(noise.non_negative("place"), units.place);
-  experiment.noise.turn = in_si(noise.non_negative("turn"), units.angle);
-  experiment.noise.torque = in_si(noise.non_negative("torque"), units.moment);
+  using Name = Channel::Name;
+  for (const auto& [name, unit] : {std::pair(Name::q, &units.angle), {Name::place, &units.place},
+                                   {Name::turn, &units.angle}, {Name::drive, &units.moment}})
+    experiment.noise[name] = in_si(noise.non_negative(std::string(kind_of(name).noise_key)), *unit);
   if (!root.has("run")) throw Error(root.place("run"), "no such key", "at least one [[run]]");
   std::set<std::string> ids;
   for (const Section& section : root.tables("run")) {

@@ -60,17 +60,19 @@ class PoseReader {
   }
 
   [[nodiscard]] Reading reading(std::size_t row) const {
-    Reading one{no_value, no_value, no_value, 0, 0, {}};
+    Reading one{no_value, {no_value, no_value, 0, 0}};
     one.t = place_.contains("t") ? number("t", row) : static_cast<double>(before_ + row);
     if (std::isnan(one.t)) throw Error(where(row) + ", t", "an empty field", "the time of the reading");
     one.rest = coordinates(commands_, row);
     for (std::size_t j = 0; j < joints_; ++j)
       if (std::isnan(one.rest[j]))
         throw Error(where(row) + ", " + commands_[j], "an empty field", "the commanded angle of every joint");
-    if (angles_) one.q = coordinates(counted("q", joints_), row);
-    if (torques_)
-      for (const std::string& name : counted("torque", joints_))
-        one.torque.push_back(in(format_.units.moment, name, row));
+    const std::vector<double> angles = coordinates(counted("q", joints_), row);
+    for (std::size_t j = 0; j < joints_; ++j) {
+      if (angles_) Channel(Channel::Name::q, j).in(one) = angles[j];
+      Channel(Channel::Name::drive, j, joints_).in(one) =
+          in(format_.units.moment, "torque" + std::to_string(j + 1), row);
+    }
     add_points(row, one);
     add_load(row, one);
     if (place_.contains("temperature")) one.covariates.push_back(temperature(row));
@@ -218,11 +220,13 @@ class PoseReader {
   void add_points(std::size_t row, Reading& one) const {
     for (std::size_t p = 0; p < placed_.size(); ++p) {
       const std::string stem = experiment_.arm_bench.points[p].name + "_";
-      for (const char* axis : {"x", "y", "z"})
-        one.points.push_back(in(format_.units.place, stem + axis, row));
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        Channel(Channel::Name::place, 3 * p + axis, joints_).in(one) =
+            in(format_.units.place, stem + "xyz"[axis], row);
       const Vector3<double> turn =
           turn_[p] == Turn::none ? Vector3<double>(no_value, no_value, no_value) : turned(p, row);
-      one.points.insert(one.points.end(), turn.begin(), turn.end());
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        Channel(Channel::Name::turn, 3 * p + axis, joints_).in(one) = turn(static_cast<Eigen::Index>(axis));
     }
   }
 

@@ -32,11 +32,13 @@ class Joined {
 
   [[nodiscard]] Reading reading(std::size_t row, Control control) const {
     const auto value = [&](std::size_t c) { return owners_[c]->value(c, row); };
-    Reading reading{value(place_t), value(place_x), value(place_y), value(place_Fx), value(place_Fy), {}};
-    reading.q = angles(place_q1, &SampleFormat::absolute_angles, row);
-    reading.rest = angles(format().place_command1(), &SampleFormat::absolute_commands, row);
     const std::size_t second = format().place_second1();
-    reading.second_load = {value(second), value(second + 1)};
+    Reading reading{value(place_t),
+                    {value(place_x), value(place_y), value(place_Fx), value(place_Fy), value(second),
+                     value(second + 1)}};
+    const std::vector<double> q = angles(place_q1, &SampleFormat::absolute_angles, row);
+    reading.value.insert(reading.value.end(), q.begin(), q.end());
+    reading.rest = angles(format().place_command1(), &SampleFormat::absolute_commands, row);
     for (std::size_t c = format().place_covariate1(); c < owners_.size(); ++c)
       reading.covariates.push_back(value(c));
     require_given(reading, row, control);
@@ -85,7 +87,8 @@ class Joined {
   void require_given(const Reading& r, std::size_t row, Control control) const {
     if (std::isnan(r.t)) throw Error(first().where(row) + ", t", "an empty field", "the time of the reading");
     const bool displacement = control == Control::end_point;
-    if (std::isnan(displacement ? r.x : r.Fx) || std::isnan(displacement ? r.y : r.Fy)) {
+    if (std::isnan(r[displacement ? column_x : column_Fx]) ||
+        std::isnan(r[displacement ? column_y : column_Fy])) {
       const std::size_t one = displacement ? place_x : place_Fx, other = displacement ? place_y : place_Fy;
       const auto& name = format().columns;
       throw Error(owners_[one]->where(row), "an empty imposed channel",

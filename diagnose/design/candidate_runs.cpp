@@ -60,8 +60,7 @@ double reached(const Run& run) {
   if (!run.commands_joints()) return 0;
   return largest_deflection(run, [&](std::size_t reading, std::size_t joint) {
     const Reading& one = run.readings[reading];
-    if (run.alone != Alone::no) return one.x;
-    return one.q.empty() ? not_measured : one.q[joint];
+    return one[run.alone != Alone::no ? column_x : Channel(Channel::Name::q, joint).column];
   });
 }
 
@@ -80,9 +79,9 @@ Run gone(const Shape& from, const Vector2& start, const Vector2& by, bool back,
     const double share = static_cast<double>(std::min(i, 2 * press_steps - i)) / press_steps;
     const Vector2 to = start + share * by;
     if (from.control == Control::end_point) {
-      run.readings.push_back({i * pause, to.x(), to.y(), not_measured, not_measured, {}});
+      run.readings.push_back({i * pause, {to.x(), to.y()}});
     } else {
-      run.readings.push_back({i * pause, not_measured, not_measured, to.x(), to.y(), {}});
+      run.readings.push_back({i * pause, {not_measured, not_measured, to.x(), to.y()}});
     }
     run.readings.back().covariates = so_far.covariates;
   }

@@ -38,11 +38,7 @@ Run commanded(const Experiment& experiment, const std::vector<std::vector<double
   const double across = run.alone == Alone::no ? unseen : 0;
   for (const std::vector<double>& command : commands)
     run.readings.push_back({static_cast<double>(run.readings.size()) * so_far.sampling_interval,
-                            unseen,
-                            across,
-                            0,
-                            0,
-                            {},
+                            {unseen, across, 0, 0},
                             command,
                             so_far.covariates});
   return run;

@@ -139,7 +139,7 @@ Experiment measured_as(Experiment experiment, const Prediction& predicted) {
     for (const Channel& channel : run.measured()) {
       if (!(channel.sigma(experiment.noise) > 0)) continue;
       for (std::size_t i = 0; i < run.readings.size(); ++i)
-        channel.in(run.readings[i]) = predicted.runs[r](static_cast<Eigen::Index>(i), column_of(channel));
+        channel.in(run.readings[i]) = predicted.runs[r](static_cast<Eigen::Index>(i), channel.column);
     }
   }
   return experiment;

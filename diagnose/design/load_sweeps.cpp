@@ -26,7 +26,7 @@ Run swept(const Shape& from, const LoadChannel& load, const CommandRange& range,
   run.loads = {load};
   for (int i = 0; i <= (back ? 2 * steps : steps); ++i) {
     const double share = static_cast<double>(std::min(i, 2 * steps - i)) / steps;
-    run.readings.push_back({i * so_far.sampling_interval, not_measured, not_measured, 0, 0, {}});
+    run.readings.push_back({i * so_far.sampling_interval, {not_measured, not_measured, 0, 0}});
     run.readings.back().covariates = so_far.covariates;
     run.readings.back().covariates[load.covariate] = range.at(share);
   }

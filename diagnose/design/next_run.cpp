@@ -47,13 +47,14 @@ std::optional<std::vector<Prediction>> predictions(const Study& bench,
 
 /// The measured channels of a run that have a noise, with joint angles where they are asked for.
 std::vector<Channel> channels_of(const Run& run, const Noise& sigma, bool angles) {
-  std::vector<Channel> channels = run.answering();
-  for (std::size_t j = 0; angles && run.alone == Alone::no && j < run.rest.size(); ++j)
-    channels.push_back({Channel::Name::q, j});
-  for (const Channel& one : run.measured())
-    if (one.name >= Channel::Name::place && std::isfinite(one.of(run.readings.front())))
-      channels.push_back(one);
-  std::erase_if(channels, [&](const Channel& one) { return !(one.sigma(sigma) > 0); });
+  const std::vector<Channel> measured = run.measured();
+  std::vector<Channel> channels = run.measurable();
+  std::erase_if(channels, [&](const Channel& one) {
+    const bool asked = one.name == Channel::Name::q
+                           ? angles
+                           : std::find(measured.begin(), measured.end(), one) != measured.end();
+    return !asked || !(one.sigma(sigma) > 0);
+  });
   return channels;
 }
 
@@ -75,7 +76,7 @@ Forecast forecast(const Prediction& predicted, const std::vector<Channel>& chann
   result.slope.resize(result.read.size(), static_cast<Eigen::Index>(predicted.sensitivity.size()));
   Eigen::Index at = 0;
   for (const Channel& channel : channels) {
-    const Eigen::Index c = column_of(channel);
+    const Eigen::Index c = channel.column;
     const ChannelNoise found = noise_of(noise, channel);
     const double real = channel.sigma(sigma) * found.scale;
     result.read.segment(at, rows) = innovations(trace.col(c).matrix(), real, found.correlation);
@@ -111,7 +112,7 @@ double expected_log_odds(std::size_t hypotheses, Rows rows) {
 }
 
 Noise with_angles(Noise sigma) {
-  if (sigma.q <= 0) sigma.q = usual_angle_sigma;
+  if (double& q = sigma[Channel::Name::q]; q <= 0) q = usual_angle_sigma;
   return sigma;
 }
 

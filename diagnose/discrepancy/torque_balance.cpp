@@ -48,8 +48,9 @@ Eigen::VectorXd turned_by(const ChainLoads& loads, const std::vector<double>& le
 Balance balance(const NominalModel<double>& nominal, const Reading& reading, const ChainLoads& loads,
                 const std::vector<double>& length, const Vector2& force_sigma, double angle_sigma) {
   Expansion<double, NominalModel<double>::bandwidth> at;
-  nominal.expand(absolute_angles(reading.q), {reading.Fx, reading.Fy}, at);
-  at.residual += turned_by(loads, length, absolute_angles(reading.q));
+  const Eigen::VectorXd angles = absolute_angles(reading.angles(length.size()));
+  nominal.expand(angles, {reading[column_Fx], reading[column_Fy]}, at);
+  at.residual += turned_by(loads, length, angles);
   const Eigen::Index n = at.residual.size();
   Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(n, n);
   for (Eigen::Index i = 0; i < n; ++i) stiffness(i, i) = at.hessian(0, i);
@@ -60,9 +61,10 @@ Balance balance(const NominalModel<double>& nominal, const Reading& reading, con
           (by_force.rowwise().squaredNorm() + by_angle.colwise().squaredNorm().transpose()).cwiseSqrt()};
 }
 
-bool complete(const Reading& reading) {
-  return !reading.q.empty() && std::isfinite(reading.Fx) && std::isfinite(reading.Fy) &&
-         std::all_of(reading.q.begin(), reading.q.end(), [](double q) { return std::isfinite(q); });
+bool complete(const Reading& reading, std::size_t joints) {
+  const std::vector<double> angles = reading.angles(joints);
+  return std::isfinite(reading[column_Fx]) && std::isfinite(reading[column_Fy]) &&
+         std::all_of(angles.begin(), angles.end(), [](double q) { return std::isfinite(q); });
 }
 
 /// Mean square of unit normal values without a share of those that are largest.
@@ -100,16 +102,18 @@ std::vector<std::vector<MissingTorque>> missing_torques(const Experiment& experi
     LoadHistory loads(experiment.loads, experiment.link_length.size());
     const double of_group = run.noise_of_group();
     const Vector2 noise =
-        run.holds_end_point() ? Vector2(experiment.noise.Fx, experiment.noise.Fy) * of_group : Vector2(0, 0);
+        run.holds_end_point()
+            ? Vector2(experiment.noise[Channel::Name::Fx], experiment.noise[Channel::Name::Fy]) * of_group
+            : Vector2(0, 0);
     for (std::size_t i = 0; i < run.readings.size(); ++i) {
       const Reading& reading = run.readings[i];
-      if (!complete(reading)) continue;
+      if (!complete(reading, by_joint.size())) continue;
       if (!nominal || run.commands_joints()) nominal.emplace(nominal_model(experiment, run.rest_at(reading)));
       const Balance found = balance(*nominal, reading, loads.next(reading.covariates), experiment.link_length,
-                                    noise, experiment.noise.q * of_group);
+                                    noise, experiment.noise[Channel::Name::q] * of_group);
       for (std::size_t j = 0; j < by_joint.size(); ++j) {
         const auto k = static_cast<Eigen::Index>(j);
-        by_joint[j].push_back({r, i, reading.q[j], found.torque(k), found.sigma(k)});
+        by_joint[j].push_back({r, i, reading[column_q + k], found.torque(k), found.sigma(k)});
       }
     }
   }
@@ -133,10 +137,7 @@ Experiment as_measured(Experiment experiment, const Prediction& predicted) {
   for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
     for (std::size_t i = 0; i < experiment.runs[r].readings.size(); ++i) {
       const auto row = predicted.runs[r].row(static_cast<Eigen::Index>(i));
-      Reading& reading = experiment.runs[r].readings[i];
-      reading.Fx = row(column_Fx);
-      reading.Fy = row(column_Fy);
-      reading.q.assign(row.data() + column_q, row.data() + row.size());
+      experiment.runs[r].readings[i].value.assign(row.data(), row.data() + row.size());
     }
   }
   return experiment;

@@ -151,7 +151,7 @@ LawFolds sums_of(const Study& study, const Response& rig, const Placement& place
     for_each_part(study, rig, place[b], [&](std::size_t a, std::size_t run, const Eigen::MatrixXd& terms) {
       for (const Series& series : study.measurements().series()) {
         if (series.run != run) continue;
-        const auto answer = rig.per_torque[a][run].col(column_of(series.channel));
+        const auto answer = rig.per_torque[a][run].col(series.channel.column);
         for (std::size_t i = 0; i < series.readings.size(); ++i) {
           const auto reading = static_cast<Eigen::Index>(series.readings[i]),
                      row = static_cast<Eigen::Index>(series.first + i);
@@ -223,7 +223,7 @@ VectorXd to_explain(const Study& study, const NoiseEstimate& noise, const Respon
       const Eigen::VectorXd torque = terms.leftCols(one.coefficients.size()) * one.coefficients;
       for (const Series& series : study.measurements().series()) {
         if (series.run != run) continue;
-        const auto answer = with.per_torque[a][run].col(column_of(series.channel));
+        const auto answer = with.per_torque[a][run].col(series.channel.column);
         for (std::size_t i = 0; i < series.readings.size(); ++i) {
           const auto reading = static_cast<Eigen::Index>(series.readings[i]),
                      row = static_cast<Eigen::Index>(series.first + i);

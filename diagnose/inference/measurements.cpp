@@ -40,7 +40,7 @@ Measurements::Measurements(const Experiment& experiment) {
         places_.push_back({r, i});
         value.push_back(one);
         const double imposed =
-            passed_on.empty() ? 0 : passed_on[r](static_cast<Eigen::Index>(i), column_of(channel));
+            passed_on.empty() ? 0 : passed_on[r](static_cast<Eigen::Index>(i), channel.column);
         sigma.push_back(std::sqrt(own * own + imposed) * run.noise_of_group());
         time.push_back(run.readings[i].t);
       }
@@ -59,7 +59,7 @@ Measurements::Measurements(const Experiment& experiment) {
 VectorXd Measurements::in_sigmas(const std::vector<Trace>& traces) const {
   VectorXd values(static_cast<Eigen::Index>(size()));
   for (const Series& series : series_) {
-    const auto trace = traces[series.run].col(column_of(series.channel));
+    const auto trace = traces[series.run].col(series.channel.column);
     for (std::size_t i = 0; i < series.readings.size(); ++i) {
       const auto row = static_cast<Eigen::Index>(series.first + i);
       values(row) = trace(static_cast<Eigen::Index>(series.readings[i])) / sigma_(row);

@@ -37,8 +37,7 @@ Excitation exercise_of(const Experiment& experiment, const Prediction& nominal) 
     constexpr double at_rest = 1e-9;  // rad: rounding
     if (most < at_rest)
       most = largest_deflection(experiment, i, [&](std::size_t r, std::size_t reading) {
-        const std::vector<double>& q = experiment.runs[r].readings[reading].q;
-        return q.empty() ? std::nan("") : q[i];
+        return Channel(Channel::Name::q, i).of(experiment.runs[r].readings[reading]);
       });
     use.largest = std::max(use.largest, most);
     use.torque = std::max(use.torque, experiment.joint_stiffness[i] * most);

@@ -21,7 +21,7 @@ std::string panel_id(const char* what, std::size_t run, const Channel& channel) 
 std::vector<page::ChartPoint> curve(const Trace& trace, const Channel& channel, const Command& command) {
   std::vector<page::ChartPoint> points;
   for (Eigen::Index i = 0; i < trace.rows(); ++i)
-    points.push_back({command.along[static_cast<std::size_t>(i)], trace(i, column_of(channel))});
+    points.push_back({command.along[static_cast<std::size_t>(i)], trace(i, channel.column)});
   return points;
 }
 

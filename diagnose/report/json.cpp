@@ -47,7 +47,7 @@ void add_departures(Json& report, const GapAnswer& answer, const NoiseShape& sha
   for (const ChannelInterference& one : answer.interference)
     interference.push_back(
         {{"run", one.run}, {"channel", one.channel.label()}, {"period", one.period}, {"rms", one.rms}});
-  for (const auto& [name, ratio] : shape.proportional) proportional[label(name)] = ratio;
+  for (const auto& [name, ratio] : shape.proportional) proportional[std::string(kind_of(name).label)] = ratio;
   for (const NoisierReadings& one : answer.noisier) {
     Json entry = {{"run", one.run}, {"sensor", label(one.sensor)}};
     if (!one.whole_run) entry["from"] = one.from, entry["to"] = one.to;

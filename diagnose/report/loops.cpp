@@ -42,7 +42,7 @@ PageChart loop_over_command(const Explained& explained, const Series& series, co
   const Run& run = explained.experiment.runs[series.run];
   const Command command = command_of(run);
   const Trace &base = elastic.runs[series.run], &whole = explained.corrected.runs[series.run];
-  const Eigen::Index column = column_of(series.channel);
+  const Eigen::Index column = series.channel.column;
   page::Layer measured{Kind::dots, "measured", {}}, modelled{Kind::line, "corrected", {}};
   modelled.directed = measured.told = true;
   for (std::size_t i = 0; i < run.readings.size(); ++i) {
@@ -103,7 +103,7 @@ std::vector<PageChart> loop_charts(const Explained& explained) {
   for (const std::size_t place : telling_series(explained, base)) {
     const Series& series = explained.series(place);
     charts.push_back(loop_over_command(explained, series, base));
-    if (torques && !explained.experiment.runs[series.run].readings.front().q.empty())
+    if (torques && explained.experiment.runs[series.run].reads_angles())
       charts.push_back(loop_at_joint(explained, explained.diagnosis.where.joints.front().joint, series.run));
   }
   return charts;

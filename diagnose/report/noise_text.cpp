@@ -18,7 +18,7 @@ std::string two_digits(double value) {
 std::string by_name(const NoiseEstimate& noise, double ChannelNoise::*value) {
   std::map<std::string, std::pair<double, double>> ranges;
   for (const ChannelNoise& one : noise.channels) {
-    const auto [place, is_first] = ranges.try_emplace(label(one.channel.name), one.*value, one.*value);
+    const auto [place, is_first] = ranges.try_emplace(std::string(kind_of(one.channel.name).label), one.*value, one.*value);
     if (is_first) continue;
     auto& [low, high] = place->second;
     low = std::min(low, one.*value), high = std::max(high, one.*value);
@@ -54,7 +54,7 @@ std::string interference(const std::vector<ChannelInterference>& sinusoids) {
 std::string departures(const GapAnswer& answer, const NoiseShape& shape) {
   std::string text;
   for (const auto& [name, ratio] : shape.proportional)
-    text += fmt::format("  the noise of {} grows with the reading, by {:.2g} % of it\n", label(name),
+    text += fmt::format("  the noise of {} grows with the reading, by {:.2g} % of it\n", kind_of(name).label,
                         100 * ratio);
   for (const NoisierReadings& one : answer.noisier)
     text += one.whole_run

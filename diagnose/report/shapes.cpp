@@ -14,12 +14,6 @@ namespace {
 
 using Kind = page::Layer::Kind;
 
-bool angles_measured(const Run& run) {
-  return std::any_of(run.readings.begin(), run.readings.end(), [](const Reading& reading) {
-    return !reading.q.empty() && std::isfinite(reading.q.front());
-  });
-}
-
 /// Joint positions and the end point.
 std::vector<page::ChartPoint> shape(const Chain<double>& chain, const std::vector<double>& q) {
   std::vector<page::ChartPoint> points;
@@ -29,10 +23,11 @@ std::vector<page::ChartPoint> shape(const Chain<double>& chain, const std::vecto
 
 /// The joint angles of a reading, measured or modelled.
 std::vector<double> angles(const Explained& explained, std::size_t run, std::size_t reading, bool measured) {
-  if (measured) return explained.experiment.runs[run].readings[reading].q;
+  const std::size_t joints = explained.experiment.link_length.size();
+  if (measured) return explained.experiment.runs[run].readings[reading].angles(joints);
   std::vector<double> q;
   const Trace& trace = explained.corrected.runs[run];
-  for (std::size_t j = 0; j < explained.experiment.link_length.size(); ++j)
+  for (std::size_t j = 0; j < joints; ++j)
     q.push_back(trace(static_cast<Eigen::Index>(reading), column_q + static_cast<Eigen::Index>(j)));
   return q;
 }
@@ -74,7 +69,7 @@ PageChart shape_chart(const Explained& explained, std::size_t r) {
   const Experiment& experiment = explained.experiment;
   const Run& run = experiment.runs[r];
   const Chain<double> chain(experiment.link_length, experiment.joint_stiffness);
-  const bool measured = angles_measured(run);
+  const bool measured = run.reads_angles();
   const std::string whose =
       measured ? "measured shapes" : "shapes of the " + explained.model + ", no angles measured";
   page::Chart chart{

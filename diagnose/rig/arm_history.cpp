@@ -9,9 +9,7 @@ namespace plumbline::diagnose {
 namespace {
 
 Eigen::Index columns_of(const Experiment& experiment) {
-  const std::size_t points = experiment.arm_bench.points.size();
-  return points == 0 ? column_of({Channel::Name::drive, experiment.arm->arm.size()})
-                     : column_of({Channel::Name::turn, 3 * points});
+  return Channel(Channel::Name::place, 3 * experiment.arm_bench.points.size(), experiment.arm->arm.size()).column;
 }
 
 /// One run of a rig and of its variations; `beside` holds the differences from the rig.

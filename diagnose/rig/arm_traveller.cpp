@@ -24,6 +24,7 @@ bool yields_by_law(const Rig& rig, std::size_t joint) {
 
 ArmTraveller::ArmTraveller(const Experiment& experiment, const Rig& own, const Run& run, std::size_t sliders)
     : experiment_(&experiment),
+      measured_(run.measured()),
       on_(own, run.rest),
       arm_(on_.rig.arm->arm),
       compliance_(compliance(arm_)),
@@ -274,30 +275,34 @@ Pose<double> ArmTraveller::of(const OnLink<double>& point, const ArmPosture<doub
   return posture.of(at);
 }
 
+bool ArmTraveller::reads(const Channel& channel) const {
+  return std::find(measured_.begin(), measured_.end(), channel) != measured_.end();
+}
+
 void ArmTraveller::write(const Reading& reading, Eigen::Ref<Eigen::ArrayXd> row) const {
   const ArmRig& rig = *on_.rig.arm;
   const ArmPosture<double> posture(arm_, coordinate_);
   const Vector3<double> tipped = turn_of_tool(posture);
   for (std::size_t i = 0; i < joint_.size(); ++i) {
     const double q = coordinate_(joint_[i]) - rig.encoder_error(i, command_[i]);
-    row(column_of({Channel::Name::q, i})) = (1 + rig.angle_scale[i]) * q + rig.angle_bias[i];
+    row(Channel(Channel::Name::q, i).column) = (1 + rig.angle_scale[i]) * q + rig.angle_bias[i];
   }
-  for (std::size_t p = 0; p < rig.points.size() && !reading.points.empty(); ++p) {
+  for (std::size_t p = 0; p < rig.points.size(); ++p) {
     const Pose<double> seen = rig.tracker.inverse() * of(rig.points[p], posture, tipped);
     const Vector3<double> place = (1 + rig.tracker_scale) * seen.translation();
     for (std::size_t axis = 0; axis < 3; ++axis)
-      row(column_of({Channel::Name::place, 3 * p + axis})) = place(static_cast<Eigen::Index>(axis));
-    if (std::isnan(reading.points[6 * p + 3])) continue;  // no orientation is read
+      row(Channel(Channel::Name::place, 3 * p + axis, arm_.size()).column) = place(static_cast<Eigen::Index>(axis));
+    if (!reads(Channel(Channel::Name::turn, 3 * p, arm_.size()))) continue;
     const Pose<double> told =
         nominal_pose(experiment_->arm->arm, experiment_->arm_bench.points[p].at, command_);
     const Vector3<double> turn = rotation_vector<double>(told.linear().transpose() * seen.linear());
     for (std::size_t axis = 0; axis < 3; ++axis)
-      row(column_of({Channel::Name::turn, 3 * p + axis})) = turn(static_cast<Eigen::Index>(axis));
+      row(Channel(Channel::Name::turn, 3 * p + axis, arm_.size()).column) = turn(static_cast<Eigen::Index>(axis));
   }
-  if (reading.torque.empty()) return;
+  if (!reads(Channel(Channel::Name::drive, 0, arm_.size()))) return;
   const ArmLoads<double> at = loads(posture);
   for (std::size_t i = 0; i < joint_.size(); ++i)
-    row(column_of({Channel::Name::drive, i})) =
+    row(Channel(Channel::Name::drive, i, arm_.size()).column) =
         (1 + rig.torque_scale[i]) * torque_of_drive(i, at.force(joint_[i])) + rig.torque_bias[i];
 }
 

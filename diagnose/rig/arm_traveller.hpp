@@ -57,9 +57,12 @@ class ArmTraveller {
   [[nodiscard]] const Contact* contacts_of(std::size_t joint) const {
     return contact_.data() + joint * sliders_;
   }
+  /// Whether the run measures a channel.
+  [[nodiscard]] bool reads(const Channel& channel) const;
   [[nodiscard]] double torque_of_drive(std::size_t joint, double load) const;
 
   const Experiment* experiment_;
+  std::vector<Channel> measured_;
   RunRig on_;
   SerialArm<double> arm_;            ///< at its temperature, on its mount as it yields
   double growth_ = 1;                ///< of its lengths

@@ -20,7 +20,7 @@ double typical_force(const Experiment& experiment) {
   std::vector<double> force;
   for (const Run& run : experiment.runs)
     for (const Reading& reading : run.readings) {
-      force.push_back(std::hypot(or_zero(reading.Fx), or_zero(reading.Fy)));
+      force.push_back(std::hypot(or_zero(reading[column_Fx]), or_zero(reading[column_Fy])));
       for (const LoadChannel& load : loads)
         force.back() =
             std::max(force.back(), std::abs(reading.covariates[load.covariate]) * load.moves.norm());
@@ -48,14 +48,14 @@ bool any_reading(const Run& run, Says says) {
 
 bool reads_force(const Run& run) {
   return run.holds_end_point() && any_reading(run, [](const Reading& reading) {
-           return std::isfinite(reading.Fx) || std::isfinite(reading.Fy);
+           return std::isfinite(reading[column_Fx]) || std::isfinite(reading[column_Fy]);
          });
 }
 
 bool reads_both_forces(const Run& run) {
   return run.holds_end_point() &&
-         any_reading(run, [](const Reading& reading) { return std::isfinite(reading.Fx); }) &&
-         any_reading(run, [](const Reading& reading) { return std::isfinite(reading.Fy); });
+         any_reading(run, [](const Reading& reading) { return std::isfinite(reading[column_Fx]); }) &&
+         any_reading(run, [](const Reading& reading) { return std::isfinite(reading[column_Fy]); });
 }
 
 /// How the run loads the chain, or the joint, and by which sensor.
@@ -80,8 +80,8 @@ void find_plateau(const Experiment& experiment, CharacteristicScales& size) {
     for (const Run& run : experiment.runs)
       for (const Reading& reading : run.readings) {
         if (!run.holds_end_point() || run.alone != Alone::no) continue;
-        use(std::abs(or_zero(reading.Fx)), experiment.noise.Fx);
-        use(std::abs(or_zero(reading.Fy)), experiment.noise.Fy);
+        use(std::abs(or_zero(reading[column_Fx])), experiment.noise[Channel::Name::Fx]);
+        use(std::abs(or_zero(reading[column_Fy])), experiment.noise[Channel::Name::Fy]);
       }
   };
   each_component([&](double force, double) { size.largest_reading = std::max(size.largest_reading, force); });
@@ -152,7 +152,8 @@ CharacteristicScales characteristic_scales(const Experiment& experiment) {
     size.clock = size.clock || !run.counts_readings();
     find_loading(run, size);
     for (const Channel& channel : run.measured())
-      if (any_reading(run, [&](const Reading& reading) { return std::isfinite(channel.of(reading)); }))
+      if (!run.planned.empty() ||
+          any_reading(run, [&](const Reading& reading) { return std::isfinite(channel.of(reading)); }))
         size.measured[static_cast<std::size_t>(channel.name)] = true;
     size.turns_back = size.turns_back || run.turns_back();
     size.bent_at_rest = size.bent_at_rest || std::any_of(run.rest.begin() + 1, run.rest.end(),

@@ -151,6 +151,7 @@ class RunWalk {
   RunWalk(const Experiment& experiment, const Run& run, const Layout& layout, const Rig& rig,
           const std::vector<Rig>& variations)
       : run_(run),
+        measured_(run.measured()),
         experiment_(experiment),
         before_(run.before_first()),
         layout_(layout),
@@ -342,7 +343,7 @@ class RunWalk {
   void write(Traveller& rig, std::size_t r, Trace& trace) {
     const Reading& reading = run_.readings[r];
     auto row = trace.row(static_cast<Eigen::Index>(r));
-    Vector2 end(reading.x, reading.y), force(reading.Fx, reading.Fy);
+    Vector2 end(reading[column_x], reading[column_y]), force(reading[column_Fx], reading[column_Fy]);
     if (run_.holds_end_point()) {
       force = rig.measure_force(reading.t, interval_, direction_.x());
     } else {
@@ -368,11 +369,11 @@ class RunWalk {
     if (on.rig.stated_corrections.empty()) return;
     Eigen::ArrayXd added = Eigen::ArrayXd::Zero(row.size());
     for (const StatedCorrection& one : on.rig.stated_corrections) {
-      for (const Channel& channel : run_.measured()) {
+      for (const Channel& channel : measured_) {
         if (!one.applies_to(channel)) continue;
         const Moment moment{reading.t, run_.number, direction_of(channel), on.joint[channel.joint].rest,
                             reading.covariates};
-        added(column_of(channel)) += one.value(reading_values(row.transpose(), moment, channel));
+        added(channel.column) += one.value(reading_values(row.transpose(), moment, channel));
       }
     }
     row += added.transpose();
@@ -381,13 +382,14 @@ class RunWalk {
   /// Direction of motion for a channel, 1 or -1; 1 before the first motion. Varied rigs share it, for a
   /// reversal at another reading would turn a jump into a slope.
   [[nodiscard]] double direction_of(const Channel& channel) const {
-    const bool along_y = channel.name == Channel::Name::y || channel.name == Channel::Name::Fy;
+    const bool along_y = channel.kind().along_y;
     const double way =
         channel.name == Channel::Name::q ? turning_[channel.joint].way : direction_(along_y ? 1 : 0);
     return way < 0 ? -1 : 1;
   }
 
   const Run& run_;
+  std::vector<Channel> measured_;
   const Experiment& experiment_;
   std::optional<Reading> before_;
   Layout layout_;
@@ -444,7 +446,7 @@ std::vector<double> reading_values(const Eigen::Ref<const Eigen::ArrayXd>& row, 
   std::vector<double> values{row(column_x), row(column_y), row(column_Fx),  row(column_Fy),
                              moment.t,      run,           moment.direction};
   if (channel.name == Channel::Name::q) {
-    const double q = row(column_of(channel));
+    const double q = row(channel.column);
     values.insert(values.end(), {q, q - moment.rest});
   }
   values.insert(values.end(), moment.covariates.begin(), moment.covariates.end());

@@ -11,33 +11,6 @@
 
 namespace plumbline::diagnose {
 
-/// The channels of a reading, as columns of a trace: x, y, Fx, Fy, Fx_2, Fy_2, q_1 … q_n.
-enum ChannelColumn : Eigen::Index {
-  column_x,
-  column_y,
-  column_Fx,
-  column_Fy,
-  column_Fx_2,
-  column_Fy_2,
-  column_q
-};
-
-/// Joints of an arm in space, at most: the columns of its points and torques come behind so many angles.
-inline constexpr std::size_t most_arm_joints = 24;
-
-inline Eigen::Index column_of(const Channel& channel) {
-  using Name = Channel::Name;
-  constexpr auto behind_angles = static_cast<std::size_t>(column_q) + most_arm_joints;
-  if (channel.name == Name::angle) return column_x;
-  if (channel.name == Name::torque) return column_Fx;
-  if (channel.name == Name::torque_2) return column_Fx_2;
-  if (channel.name == Name::drive) return static_cast<Eigen::Index>(behind_angles + channel.joint);
-  if (channel.name == Name::place || channel.name == Name::turn)
-    return static_cast<Eigen::Index>(behind_angles + most_arm_joints + 2 * channel.joint +
-                                     (channel.name == Name::turn ? 1 : 0));
-  return static_cast<Eigen::Index>(static_cast<std::size_t>(channel.name) + channel.joint);
-}
-
 /// The prediction of one run: a row a reading, a column a channel. Imposed channels repeat the command.
 using Trace = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 

@@ -99,14 +99,14 @@ class Look {
     const Reading& first = run_->readings.front();
     const Chain<double> chain(experiment_.link_length, experiment_.joint_stiffness);
     const Point<double> end = end_point(chain, run_->rest);
-    const double away = std::hypot(first.x - end.x, first.y - end.y),
+    const double away = std::hypot(first[column_x] - end.x, first[column_y] - end.y),
                  length = reach(experiment_.link_length).largest;
     constexpr double far = 0.05, there = 1e-3;
     if (away > far * length)
       remark("starts {:.3g} m from the unloaded end point ({:.4g}, {:.4g}) m", away, end.x, end.y);
     if (away > there * length) return;
     constexpr double much = 20;
-    for (const Channel& channel : {Channel{Channel::Name::Fx}, Channel{Channel::Name::Fy}}) {
+    for (const Channel& channel : {Channel(Channel::Name::Fx), Channel(Channel::Name::Fy)}) {
       const double force = channel.of(first);
       if (std::abs(force) > much * channel.sigma(experiment_.noise))
         remark("{} is {:.4g} N at the unloaded end point: a tare, a weight?", channel.label(), force);
@@ -120,7 +120,7 @@ class Look {
 
 bool same_readings(const Run& a, const Run& b) {
   const auto same = [](const Reading& r, const Reading& s) {
-    return r.x == s.x && r.y == s.y && r.Fx == s.Fx && r.Fy == s.Fy;
+    return std::equal(r.value.begin(), r.value.begin() + column_Fx_2, s.value.begin());
   };
   return std::equal(a.readings.begin(), a.readings.end(), b.readings.begin(), b.readings.end(), same);
 }

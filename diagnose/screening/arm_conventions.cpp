@@ -19,7 +19,12 @@ struct Slip {
 };
 
 void each_place(Reading& reading, const std::function<void(double*)>& change) {
-  for (std::size_t p = 0; p + 5 < reading.points.size(); p += 6) change(reading.points.data() + p);
+  const std::size_t joints = reading.rest.size();
+  for (std::size_t p = 0;; ++p) {
+    const auto first = static_cast<std::size_t>(Channel(Channel::Name::place, 3 * p, joints).column);
+    if (first >= reading.value.size()) return;
+    change(reading.value.data() + first);
+  }
 }
 
 void add_units(std::vector<Slip>& slips) {
@@ -76,9 +81,9 @@ double misfit(const Experiment& experiment, const Rig& rig, double reach) {
   for (std::size_t r = 0; r < experiment.runs.size(); ++r)
     for (std::size_t i = 0; i < experiment.runs[r].readings.size(); ++i)
       for (std::size_t c = 0; c < 3 * experiment.arm_bench.points.size(); ++c) {
-        const Channel channel{Channel::Name::place, c};
+        const Channel channel(Channel::Name::place, c, experiment.link_length.size());
         const double off = channel.of(experiment.runs[r].readings[i]) -
-                           predicted.runs[r](static_cast<Eigen::Index>(i), column_of(channel));
+                           predicted.runs[r](static_cast<Eigen::Index>(i), channel.column);
         if (std::isfinite(off)) sum += off * off, ++count;
       }
   return count == 0 ? 0 : std::sqrt(3 * sum / static_cast<double>(count)) / reach;

@@ -13,7 +13,7 @@ ColumnSums compare(const Channel& channel, const Run& run, const Trace& predicte
     const double m = channel.of(run.readings[i]) - unloaded;
     if (!std::isfinite(m)) continue;
     ++column.count;
-    const double value = predicted(static_cast<Eigen::Index>(i), column_of(channel));
+    const double value = predicted(static_cast<Eigen::Index>(i), channel.column);
     const double p = std::isfinite(value) ? value - unloaded : 0;
     column.measured += m * m;
     column.predicted += p * p;
@@ -23,17 +23,9 @@ ColumnSums compare(const Channel& channel, const Run& run, const Trace& predicte
 }
 
 double unloaded_value(const Channel& channel, const Vector2& end, const std::vector<double>& rest) {
-  switch (channel.name) {
-    case Channel::Name::x:
-    case Channel::Name::angle:
-      return end.x();
-    case Channel::Name::y:
-      return end.y();
-    case Channel::Name::q:
-      return rest[channel.joint];
-    default:
-      return 0;
-  }
+  if (channel.column == column_x) return end.x();
+  if (channel.column == column_y) return end.y();
+  return channel.name == Channel::Name::q ? rest[channel.joint] : 0;
 }
 
 }  // namespace

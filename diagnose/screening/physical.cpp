@@ -27,15 +27,14 @@ std::string place(const Run& run, std::size_t reading) {
 /// Distance between the end point by the joint angles and by the reading; NaN where either is missing.
 double contradiction(const std::vector<double>& q, const Reading& reading, const Chain<double>& chain) {
   const Point<double> end = end_point(chain, q);
-  return std::hypot(end.x - reading.x, end.y - reading.y);
+  return std::hypot(end.x - reading[column_x], end.y - reading[column_y]);
 }
 
 /// Median distance between the end points by the joint angles and by the readings; 0 without joint angles.
 double middle_contradiction(const Run& run, const Chain<double>& chain) {
   std::vector<double> gaps;
   for (const Reading& reading : run.readings) {
-    if (reading.q.empty()) return 0;
-    const double gap = contradiction(reading.q, reading, chain);
+    const double gap = contradiction(reading.angles(chain.size()), reading, chain);
     if (!std::isnan(gap)) gaps.push_back(gap);
   }
   if (gaps.empty()) return 0;
@@ -49,7 +48,7 @@ double middle_contradiction(const Run& run, const Chain<double>& chain) {
 std::optional<std::size_t> out_of_reach(const Run& run, const Reach<double>& limits) {
   const double slack = (run.holds_end_point() ? 1e-4 : 0.25) * limits.largest;
   for (std::size_t r = 0; r < run.readings.size(); ++r) {
-    const double distance = std::hypot(run.readings[r].x, run.readings[r].y);
+    const double distance = std::hypot(run.readings[r][column_x], run.readings[r][column_y]);
     if (distance > limits.largest + slack || distance < limits.smallest - slack) return r;
   }
   return {};
@@ -71,7 +70,7 @@ std::string as_if(const Experiment& experiment, const Run& run) {
     const Reach<double> limits = reach(alone.link_length);
     if (out_of_reach(other, limits)) continue;
     const auto start = std::find_if(other.readings.begin(), other.readings.end(), [](const Reading& r) {
-      return std::isfinite(r.x) && std::isfinite(r.y);
+      return std::isfinite(r[column_x]) && std::isfinite(r[column_y]);
     });
     if (start == other.readings.end()) continue;
     const Chain<double> chain(alone.link_length, alone.joint_stiffness);
@@ -90,7 +89,7 @@ std::string as_if(const Experiment& experiment, const Run& run) {
 void require_reach(const Experiment& experiment, const Run& run, const Reach<double>& limits) {
   const std::optional<std::size_t> r = out_of_reach(run, limits);
   if (!r) return;
-  const double distance = std::hypot(run.readings[*r].x, run.readings[*r].y);
+  const double distance = std::hypot(run.readings[*r][column_x], run.readings[*r][column_y]);
   const std::string expected =
       distance > limits.largest
           ? "at most the length of the chain, " + metres(limits.largest)
@@ -113,56 +112,50 @@ void require_geometry(const Experiment& experiment, const Run& run, const Reach<
                 "joint angles of this chain, relative and in radians" + as_if(experiment, run));
 }
 
-/// The key of an arm's noise.
-std::string noise_key(const Channel& channel) {
-  if (channel.name == Channel::Name::drive) return "torque";
-  return channel.name == Channel::Name::place ? "place" : "turn";
-}
-
 void require_noise(const Run& run, const Noise& noise) {
   for (const Channel& channel : run.measured()) {
     const bool read = std::any_of(run.readings.begin(), run.readings.end(),
                                   [&](const Reading& r) { return !std::isnan(channel.of(r)); });
     if (!read || channel.sigma(noise) > 0) continue;
-    const bool of_arm = channel.name >= Channel::Name::place;
-    const std::string name = of_arm ? noise_key(channel) : label(channel.name);
-    throw Error("noise." + name, "0, or nothing", "a positive figure: run \"" + run.id + "\" measures it");
+    throw Error("noise." + std::string(channel.kind().noise_key), "0, or nothing", "a positive figure: run \"" + run.id + "\" measures it");
   }
 }
 
-/// Noise below the rounding of the measured values is none, and residuals in its units overflow. The sizes of
-/// measured values are the reach, a radian, and the force that turns a joint by a radian.
-void require_resolved(const Experiment& experiment, double reach) {
+/// What a measured value of a sensor is compared with: the reach, a radian, and the load that turns a joint by
+/// a radian.
+std::pair<double, std::string_view> usual_size(const Experiment& experiment, Sensor sensor, double reach) {
+  switch (sensor) {
+    case Sensor::position:
+      return {reach, "the length of the chain"};
+    case Sensor::angle:
+    case Sensor::orientation:
+      return {1, "a radian"};
+    default:
+      break;
+  }
   double turning = 0;
   for (const double k : experiment.joint_stiffness) turning = std::max(turning, k / reach);
-  Noise size{reach, reach, turning, turning, 1};
-  for (const Run& run : experiment.runs)
-    for (const Reading& r : run.readings) {
-      size.x = std::fmax(size.x, std::abs(r.x)), size.y = std::fmax(size.y, std::abs(r.y));
-      size.Fx = std::fmax(size.Fx, std::abs(r.Fx)), size.Fy = std::fmax(size.Fy, std::abs(r.Fy));
-      for (const double q : r.q) size.q = std::fmax(size.q, std::abs(q));
-    }
-  const auto require = [](const char* name, double sigma, double measured, const char* beside) {
+  return {turning, "that which turns a joint by a radian"};
+}
+
+/// Noise below the rounding of the measured values is none, and residuals in its units overflow.
+void require_resolved(const Experiment& experiment, double reach) {
+  for (const ChannelKind& kind : channel_kinds) {
+    auto [measured, beside] = usual_size(experiment, kind.sensor, reach);
+    for (const Run& run : experiment.runs)
+      for (const std::vector<Channel>& channels : {run.imposed(), run.measurable()})
+        for (const Channel& channel : channels)
+          for (std::size_t r = 0; channel.name == kind.name && r < run.readings.size(); ++r)
+            measured = std::fmax(measured, std::abs(channel.of(run.readings[r])));
+    const double sigma = experiment.noise[kind.name];
     const double least = measured * std::numeric_limits<double>::epsilon();
     if (sigma > 0 && sigma < least)
       throw Error(
-          std::string("noise.") + name, fmt::format("{:.4g}", sigma),
+          "noise." + std::string(kind.noise_key), fmt::format("{:.4g}", sigma),
           fmt::format(
               "more than the rounding of what it is the noise of, {:.2g}: a reading, or {}, is {:.2g}", least,
               beside, measured));
-  };
-  const Noise& noise = experiment.noise;
-  constexpr const char *reaching = "the length of the chain",
-                       *turns = "the force that turns a joint by a radian";
-  if (experiment.alone == Alone::turns) {
-    require("angle", noise.x, size.x, "a radian"), require("torque", noise.Fx, size.Fx, "that of a radian");
-    require("torque_2", noise.Fx_2, size.Fx, "that of a radian");
-    return;
   }
-  require("x", noise.x, size.x, reaching), require("y", noise.y, size.y, reaching);
-  require("Fx", noise.Fx, size.Fx, turns), require("Fy", noise.Fy, size.Fy, turns);
-  require("Fx_2", noise.Fx_2, size.Fx, turns), require("Fy_2", noise.Fy_2, size.Fy, turns);
-  require("q", noise.q, size.q, "a radian");
 }
 
 std::size_t measured_values(const Run& run) {
@@ -175,13 +168,14 @@ std::size_t measured_values(const Run& run) {
 
 /// A channel with a noise is measured, and there must be one.
 void require_anything_measured(const Run& run, const Noise& noise) {
-  std::vector<Channel> measured = run.answering();
-  if (run.alone == Alone::no) measured.push_back({Channel::Name::q});
-  std::string names;
-  for (const Channel& one : measured) {
+  std::vector<std::string_view> keys;
+  for (const Channel& one : run.measurable()) {
     if (one.sigma(noise) > 0) return;
-    names += (names.empty() ? "" : one == measured.back() ? " or " : ", ") + label(one.name);
+    if (std::ranges::find(keys, one.kind().noise_key) == keys.end()) keys.push_back(one.kind().noise_key);
   }
+  std::string names;
+  for (const std::string_view key : keys)
+    names += (names.empty() ? "" : key == keys.back() ? " or " : ", ") + std::string(key);
   throw Error("noise", "no figure for anything that run \"" + run.id + "\" measures",
               "a positive one for " + names);
 }
@@ -202,16 +196,17 @@ void require_turns(const Run& run) {
 /// \throws Error for commands that are more than turns of a joint can be, most likely degrees
 void require_arm(const Experiment& experiment) {
   const NominalArm& nominal = *experiment.arm;
-  if (nominal.arm.size() > most_arm_joints)
-    throw Error("arm", std::to_string(nominal.arm.size()) + " joints",
-                std::to_string(most_arm_joints) + " at most");
+  constexpr std::size_t most_joints = 24;  // each reading costs the cube of it
+  if (nominal.arm.size() > most_joints)
+    throw Error("arm", std::to_string(nominal.arm.size()) + " joints", std::to_string(most_joints) + " at most");
   const Noise& noise = experiment.noise;
   constexpr double finest = 1e-15;  // m, rad or N m: the rounding of places, angles and torques of an arm
-  for (const auto& [name, sigma] : {std::pair("place", noise.place), std::pair("turn", noise.turn),
-                                    std::pair("q", noise.q), std::pair("torque", noise.torque)})
+  for (const ChannelKind& kind : channel_kinds) {
+    const double sigma = noise[kind.name];
     if (sigma > 0 && sigma < finest)
-      throw Error(std::string("noise.") + name, fmt::format("{:.4g}", sigma),
+      throw Error("noise." + std::string(kind.noise_key), fmt::format("{:.4g}", sigma),
                   "more than the rounding of what it is the noise of, 1e-15");
+  }
   constexpr double most = 20;  // rad: three turns, and some
   for (const Run& run : experiment.runs)
     for (std::size_t r = 0; r < run.readings.size(); ++r)
@@ -240,8 +235,7 @@ void require_chain(const Experiment& experiment) {
 void require_bench(const Experiment& bench) {
   if (bench.arm) {
     require_arm(bench);
-    const Noise& noise = bench.noise;
-    if (!(std::max({noise.place, noise.turn, noise.q, noise.torque}) > 0))
+    if (!(std::ranges::max(bench.noise.sigma) > 0))
       throw Error("noise", "no figure for anything that an arm's bench measures",
                   "a positive one for place, turn, q or torque");
     return;

@@ -34,7 +34,7 @@ Ranges ranges(const Run& run, const Trace& predicted, const Channel& channel) {
     const double value = channel.of(run.readings[i]);
     if (std::isnan(value)) continue;
     both.measured.add(value);
-    both.predicted.add(predicted(static_cast<Eigen::Index>(i), column_of(channel)));
+    both.predicted.add(predicted(static_cast<Eigen::Index>(i), channel.column));
   }
   return both;
 }

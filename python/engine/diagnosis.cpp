@@ -164,7 +164,7 @@ std::string unit_of(const diagnose::Channel& channel, const Experiment& experime
 py::dict curve_of(const diagnose::Series& series, const diagnose::Explained& seen) {
   const diagnose::Run& run = seen.experiment.runs[series.run];
   const diagnose::Command command = seen.experiment.arm ? by_reading(run) : command_of(run);
-  const Eigen::Index column = diagnose::column_of(series.channel);
+  const Eigen::Index column = series.channel.column;
   std::vector<double> along, measured, nominal, corrected;
   for (const std::size_t r : series.readings) {
     const auto row = static_cast<Eigen::Index>(r);

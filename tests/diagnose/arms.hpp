@@ -80,7 +80,7 @@ inline Experiment arm_bench(const NominalArm& arm, std::size_t readings, const M
   experiment.name = "arm";
   experiment.bench = {Bench::Plane::vertical, {0, 0}, false};
   experiment.noise = {0, 0, 0, 0, measured.angles ? 2e-5 : 0.0};
-  experiment.noise.place = 3e-5, experiment.noise.turn = 1e-4, experiment.noise.torque = 0.1;
+  experiment.noise[Channel::Name::place] = 3e-5, experiment.noise[Channel::Name::turn] = 1e-4, experiment.noise[Channel::Name::drive] = 0.1;
   const OnLink<double> tip{arm.arm.size() - 1, arm.arm.tip};
   experiment.arm_bench = {{{"tip", tip}}, tip};
   std::mt19937 engine(seed);
@@ -92,13 +92,18 @@ inline Experiment arm_bench(const NominalArm& arm, std::size_t readings, const M
     Run run{weight > 0 ? "loaded" : "unloaded", Control::force, poses.front(), {}};
     run.by_weights = true;
     for (const std::vector<double>& pose : poses) {
-      Reading reading{static_cast<double>(30 * run.readings.size()), std::nan(""), std::nan(""), 0, 0, {}};
+      Reading reading{static_cast<double>(30 * run.readings.size()), {std::nan(""), std::nan(""), 0, 0}};
       reading.rest = pose;
       reading.wrench = {0, 0, -9.81 * weight, 0, 0, 0};
-      reading.points.assign(6, measured.turns ? 0.0 : std::nan(""));
-      std::fill_n(reading.points.begin(), 3, 0.0);
-      if (measured.angles) reading.q.assign(pose.size(), 0.0);
-      if (measured.torques) reading.torque.assign(pose.size(), 0.0);
+      using Name = Channel::Name;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        Channel(Name::place, axis, pose.size()).in(reading) = 0;
+        Channel(Name::turn, axis, pose.size()).in(reading) = measured.turns ? 0 : std::nan("");
+      }
+      for (std::size_t j = 0; j < pose.size(); ++j) {
+        if (measured.angles) Channel(Name::q, j).in(reading) = 0;
+        if (measured.torques) Channel(Name::drive, j, pose.size()).in(reading) = 0;
+      }
       run.readings.push_back(std::move(reading));
     }
     experiment.runs.push_back(std::move(run));
@@ -119,7 +124,7 @@ inline Experiment as_given(Experiment experiment, const Candidate& truth,
     for (std::size_t i = 0; i < run.readings.size(); ++i)
       for (const Channel& channel : measured)
         if (double& value = channel.in(run.readings[i]); std::isfinite(value))
-          value = predicted.runs[r](static_cast<Eigen::Index>(i), column_of(channel)) +
+          value = predicted.runs[r](static_cast<Eigen::Index>(i), channel.column) +
                   channel.sigma(experiment.noise) * normal(engine);
   }
   return experiment;

@@ -89,7 +89,8 @@ inline void press(Experiment& experiment, const std::vector<double>& rest, std::
   for (int i = 0; i <= last; ++i) {
     const double share = 1.0 - std::abs(1.0 - static_cast<double>(i) / steps);
     run.readings.push_back(
-        {i * interval, x + share * by[0], y + share * by[1], 0, 0, std::vector<double>(rest.size(), 0)});
+        {i * interval,
+         chain_values(x + share * by[0], y + share * by[1], 0, 0, std::vector<double>(rest.size(), 0))});
   }
   experiment.runs.push_back(run);
 }
@@ -100,8 +101,10 @@ inline void load(Experiment& experiment, const std::vector<double>& rest, std::a
   Run run{"load-" + std::to_string(experiment.runs.size() + 1), Control::force, rest, {}};
   for (int i = 0; i <= steps; ++i) {
     const double share = static_cast<double>(i) / steps;
-    run.readings.push_back({static_cast<double>(i), 0, 0, from[0] + share * (to[0] - from[0]),
-                            from[1] + share * (to[1] - from[1]), std::vector<double>(rest.size(), 0)});
+    run.readings.push_back({static_cast<double>(i),
+                            chain_values(0, 0, from[0] + share * (to[0] - from[0]),
+                                         from[1] + share * (to[1] - from[1]),
+                                         std::vector<double>(rest.size(), 0))});
   }
   experiment.runs.push_back(run);
 }
@@ -134,14 +137,14 @@ inline Experiment measured(Experiment experiment, const Candidate& truth,
       const auto row = predicted.runs[r].row(static_cast<Eigen::Index>(i));
       Reading& reading = run.readings[i];
       if (run.control == Control::end_point) {
-        reading.Fx = noisy(row(column_Fx), experiment.noise.Fx);
-        reading.Fy = noisy(row(column_Fy), experiment.noise.Fy);
+        reading[column_Fx] = noisy(row(column_Fx), experiment.noise[Channel::Name::Fx]);
+        reading[column_Fy] = noisy(row(column_Fy), experiment.noise[Channel::Name::Fy]);
       } else {
-        reading.x = noisy(row(column_x), experiment.noise.x);
-        reading.y = noisy(row(column_y), experiment.noise.y);
+        reading[column_x] = noisy(row(column_x), experiment.noise[Channel::Name::x]);
+        reading[column_y] = noisy(row(column_y), experiment.noise[Channel::Name::y]);
       }
-      for (std::size_t j = 0; j < reading.q.size(); ++j)
-        reading.q[j] = noisy(row(column_q + static_cast<Eigen::Index>(j)), experiment.noise.q);
+      for (Eigen::Index c = column_q; c < static_cast<Eigen::Index>(reading.value.size()); ++c)
+        reading[c] = noisy(row(c), experiment.noise[Channel::Name::q]);
     }
   }
   return experiment;

@@ -11,9 +11,8 @@ namespace {
 class ProportionalNoise final : public NoiseTerm {
   [[nodiscard]] std::optional<NoiseProposal> propose(const NoiseEvidence& evidence) const override {
     std::optional<NoiseProposal> best;
-    for (const Channel::Name name : {Channel::Name::x, Channel::Name::y, Channel::Name::Fx, Channel::Name::Fy,
-                                     Channel::Name::Fx_2, Channel::Name::Fy_2, Channel::Name::q})
-      if (!evidence.shape.proportional.contains(name)) look_at(evidence, name, best);
+    for (const ChannelKind& kind : channel_kinds)
+      if (!evidence.shape.proportional.contains(kind.name)) look_at(evidence, kind.name, best);
     return best;
   }
 

@@ -18,12 +18,12 @@ namespace {
 /// Presses from three shapes, without joint angles.
 Experiment presses_without_angles() {
   Experiment experiment = three_links();
-  experiment.noise.q = 0;
+  experiment.noise[Channel::Name::q] = 0;
   press(experiment, {0.3, -0.5, 0.4}, {-0.06, 0}, 20, true);
   press(experiment, {-0.4, 0.3, 0.5}, {-0.05, 0.03}, 25, true);
   press(experiment, {0.5, -0.3, 0.4}, {-0.05, -0.02}, 25, false);
   for (Run& run : experiment.runs)
-    for (Reading& reading : run.readings) reading.q.clear();
+    for (Reading& reading : run.readings) reading.value.resize(column_q);
   return experiment;
 }
 

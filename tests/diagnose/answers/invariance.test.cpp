@@ -94,12 +94,12 @@ TEST_CASE("units change no answer: lengths, torques and all that follows from th
     const Answer before = answer_of(Study(experiment));
     for (double& one : experiment.link_length) one *= length;
     for (double& one : experiment.joint_stiffness) one *= torque;
-    experiment.noise.x *= length, experiment.noise.y *= length;
-    experiment.noise.Fx *= torque / length, experiment.noise.Fy *= torque / length;
+    experiment.noise[Channel::Name::x] *= length, experiment.noise[Channel::Name::y] *= length;
+    experiment.noise[Channel::Name::Fx] *= torque / length, experiment.noise[Channel::Name::Fy] *= torque / length;
     for (Run& run : experiment.runs)
       for (Reading& reading : run.readings) {
-        reading.x *= length, reading.y *= length;
-        reading.Fx *= torque / length, reading.Fy *= torque / length;
+        reading[column_x] *= length, reading[column_y] *= length;
+        reading[column_Fx] *= torque / length, reading[column_Fy] *= torque / length;
       }
     check_same(before, answer_of(Study(experiment)));
   }
@@ -113,8 +113,8 @@ TEST_CASE("the other side of the plane changes no answer") {
     for (Run& run : experiment.runs) {
       for (double& one : run.rest) one = -one;
       for (Reading& reading : run.readings) {
-        reading.y = -reading.y, reading.Fy = -reading.Fy;
-        for (double& one : reading.q) one = -one;
+        reading[column_y] = -reading[column_y], reading[column_Fy] = -reading[column_Fy];
+        for (std::size_t c = column_q; c < reading.value.size(); ++c) reading.value[c] *= -1;
       }
     }
     check_same(before, answer_of(Study(experiment)));
@@ -126,7 +126,7 @@ TEST_CASE(
   const Experiment experiment = sprung_links_with(test::only("joint_stiffness", 2), 14);
   Experiment doubled = experiment;
   Noise& noise = doubled.noise;
-  noise = {2 * noise.x, 2 * noise.y, 2 * noise.Fx, 2 * noise.Fy, 2 * noise.q};
+  noise = {2 * noise[Channel::Name::x], 2 * noise[Channel::Name::y], 2 * noise[Channel::Name::Fx], 2 * noise[Channel::Name::Fy], 2 * noise[Channel::Name::q]};
   const Study one(experiment), two(doubled);
   const CommandStates states(experiment);
   const auto log_likelihood = [&](const Study& study, const VectorXd& residual) {

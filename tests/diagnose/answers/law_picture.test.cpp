@@ -144,7 +144,7 @@ TEST_CASE("the terms of a law at every reading, by their own formulas") {
   const LawSpan span{-0.2, 0.4, 10};
   const std::vector<double> d{0.1, 0.3, std::nan(""), -0.1}, t{0, 2, 3, 5};
   Run run{"run", Control::end_point, {0}, {}};
-  for (const double time : t) run.readings.push_back({time, 0, 0, 0, 0, {}});
+  for (const double time : t) run.readings.push_back({time, {0, 0, 0, 0}});
   const Eigen::MatrixXd terms = law_terms(span, run, Eigen::Map<const Eigen::VectorXd>(d.data(), 4));
   REQUIRE(terms.cols() == law_terms_count);
   CHECK(terms.row(2).isZero());
@@ -267,7 +267,7 @@ LawFolds sums_of_missing(const Eigen::VectorXd& coefficients, std::size_t& value
     for (int i = 1; i <= 60; ++i) path.push_back(from + (far - from) * i / 60);
   }
   for (const double d : path)
-    run.readings.push_back({static_cast<double>(run.readings.size()), d, 0, 0, 0, {}});
+    run.readings.push_back({static_cast<double>(run.readings.size()), {d, 0, 0, 0}});
   values = path.size();
   const LawSpan span{-0.4, 0.4, static_cast<double>(values)};
   const Eigen::MatrixXd terms =

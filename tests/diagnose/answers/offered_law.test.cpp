@@ -146,12 +146,12 @@ TEST_CASE("a law of readings so few that none can be held out is offered unteste
 
 TEST_CASE("in a chain of several joints the law is where the torque is missing") {
   Experiment experiment = three_links();
-  experiment.noise.q = 0;
+  experiment.noise[Channel::Name::q] = 0;
   press(experiment, {0.3, -0.5, 0.4}, {-0.06, 0}, 40, true);
   press(experiment, {-0.4, 0.3, 0.5}, {-0.05, 0.03}, 40, true);
   press(experiment, {0.5, -0.3, 0.4}, {-0.05, -0.02}, 40, false);
   for (Run& run : experiment.runs)
-    for (Reading& reading : run.readings) reading.q.clear();
+    for (Reading& reading : run.readings) reading.value.resize(column_q);
   experiment = measured(experiment, only("joint_stop", 2), {0.05, 3}, 6);
   const std::optional<OfferedLaw> offered = offered_for(experiment);
   REQUIRE(offered);

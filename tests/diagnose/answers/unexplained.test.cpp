@@ -23,7 +23,7 @@ Experiment exact_press() {
   for (std::size_t i = 0; i < experiment.runs[0].readings.size(); ++i) {
     Reading& reading = experiment.runs[0].readings[i];
     const auto row = nominal.runs[0].row(static_cast<Eigen::Index>(i));
-    reading.Fx = row(column_Fx), reading.Fy = row(column_Fy), reading.q = {};
+    reading[column_Fx] = row(column_Fx), reading[column_Fy] = row(column_Fy), reading.value.resize(column_q);
   }
   return experiment;
 }
@@ -39,7 +39,7 @@ template <class Part>
 Missing described(Part part) {
   Experiment experiment = exact_press();
   std::vector<Reading>& readings = experiment.runs[0].readings;
-  for (std::size_t i = 0; i < readings.size(); ++i) readings[i].Fx += part(i, readings[i]);
+  for (std::size_t i = 0; i < readings.size(); ++i) readings[i][column_Fx] += part(i, readings[i]);
   const Study study(experiment);
   return describe_missing(study, declared_noise(study), in_Fx());
 }
@@ -57,7 +57,7 @@ TEST_CASE(
   const Experiment experiment = exact_press();
   REQUIRE(missing.points.size() == 81);
   for (std::size_t i = 0; i < 81; ++i) {
-    CHECK(missing.points[i].at == experiment.runs[0].readings[i].x);
+    CHECK(missing.points[i].at == experiment.runs[0].readings[i][column_x]);
     CHECK(missing.points[i].t == 2.0 * static_cast<double>(i));
     CHECK(missing.points[i].value == doctest::Approx(0.001 * static_cast<double>(i)).scale(1).epsilon(1e-9));
     CHECK(missing.points[i].falling == (i <= 40));  // x goes down to the turn
@@ -67,7 +67,7 @@ TEST_CASE(
 TEST_CASE("shares of what is missing that go with the place, the direction and the time, by hand") {
   // Where both ways come by with the same value every reading has a neighbour that says the same.
   const Missing of_place =
-      described([](std::size_t, const Reading& r) { return 0.05 * std::sin(900 * r.x); });
+      described([](std::size_t, const Reading& r) { return 0.05 * std::sin(900 * r[column_x]); });
   CHECK(of_place.by_position == doctest::Approx(1));
   CHECK(of_place.by_direction == doctest::Approx(1));
 
@@ -112,7 +112,7 @@ TEST_CASE("direction is the sign of motion: a run that begins pushed in and lets
   experiment.runs.push_back(pushed);
   for (std::size_t r : {0U, 1U})
     for (std::size_t i = 0; i < experiment.runs[r].readings.size(); ++i)
-      experiment.runs[r].readings[i].Fx += r == 0 && i <= 40 ? 0.05 : -0.05;
+      experiment.runs[r].readings[i][column_Fx] += r == 0 && i <= 40 ? 0.05 : -0.05;
   const Study study(experiment);
   const Missing missing = describe_missing(study, declared_noise(study), in_Fx());
   for (std::size_t i = 0; i < 41; ++i) CHECK_FALSE(missing.points[81 + i].falling);
@@ -121,9 +121,9 @@ TEST_CASE("direction is the sign of motion: a run that begins pushed in and lets
 
 TEST_CASE("an outlier is not missing, and runs of another control are not drawn with it") {
   Experiment experiment = exact_press();
-  experiment.runs[0].readings[20].Fx += 50;
+  experiment.runs[0].readings[20][column_Fx] += 50;
   load(experiment, {0.3, -0.5, 0.4}, {0, 0}, {-0.1, 0}, 10);
-  for (Reading& reading : experiment.runs[1].readings) reading.x = 0.5, reading.y = 0.1, reading.q = {};
+  for (Reading& reading : experiment.runs[1].readings) reading[column_x] = 0.5, reading[column_y] = 0.1, reading.value.resize(column_q);
   const Study study(experiment);
   NoiseEstimate noise = declared_noise(study);
   noise.shape.outlier[20] = true;  // Fx is the first series
@@ -157,7 +157,7 @@ TEST_CASE("a press along y is told over y, and a joint that has most of the miss
   // The true rig carries 0.3 k_2 d_2 more than the nominal one. Forces of 1e-4 N a lever of 0.4 m away, and
   // angles of 1e-5 rad at 2 N m/rad, leave 6e-5. 0.004.
   for (std::size_t i = 0; i < 11; ++i) {
-    CHECK(torque.points[i].at == read.runs[0].readings[i].q[1]);
+    CHECK(torque.points[i].at == read.runs[0].readings[i][column_q + 1]);
     CHECK(torque.points[i].value ==
           doctest::Approx(-0.3 * 1.5 * (torque.points[i].at + 0.5)).scale(1).epsilon(5 * 6e-5));
   }

@@ -63,7 +63,7 @@ Run commanded(const std::vector<double>& commands, const std::vector<double>& re
   run.by_weights = true;
   for (std::size_t i = 0; i < commands.size(); ++i)
     run.readings.push_back(
-        {0.5 * static_cast<double>(i), nan_value(), nan_value(), 0, 0, {reached[i]}, {commands[i]}});
+        {0.5 * static_cast<double>(i), chain_values(nan_value(), nan_value(), 0, 0, {reached[i]}), {commands[i]}});
   return run;
 }
 
@@ -110,11 +110,8 @@ Experiment pulled(Dice& dice, double length, double k, const std::vector<double>
   for (std::size_t i = 0; i < forces.size(); ++i) {
     const auto torque = [&](double q) { return law(q) - forces[i] * length * std::cos(q); };
     run.readings.push_back({2.0 * static_cast<double>(i),
-                            nan_value(),
-                            nan_value(),
-                            0,
-                            forces[i],
-                            {root(torque, -1.5, 1.5) + dice.noise(sigma)}});
+                            chain_values(nan_value(), nan_value(), 0, forces[i],
+                                         {root(torque, -1.5, 1.5) + dice.noise(sigma)})});
   }
   run.by_weights = true;
   experiment.runs = {run};
@@ -167,7 +164,7 @@ Experiment strut(Dice& dice, bool back) {
     // The force (f cos b, f sin b) along link 2 at slope b has the moment -f length cos(d + b) about joint 1.
     const double b = std::asin(rise), f = torque / (length * std::cos(d + b));
     run.readings.push_back(
-        {static_cast<double>(i), x, length, f * std::cos(b) + dice.noise(sigma), nan_value(), {}});
+        {static_cast<double>(i), {x, length, f * std::cos(b) + dice.noise(sigma)}});
   }
   experiment.runs = {run};
   return experiment;
@@ -192,7 +189,7 @@ Experiment payload(Dice& dice) {
     Run run{"pose " + std::to_string(pose), Control::force, rest, {}};
     run.by_weights = true;
     run.readings.push_back(
-        {0, nan_value(), nan_value(), 0, 0, {q1 + dice.noise(0.1 * degree), q2 + dice.noise(0.1 * degree)}});
+        {0, chain_values(nan_value(), nan_value(), 0, 0, {q1 + dice.noise(0.1 * degree), q2 + dice.noise(0.1 * degree)})});
     experiment.runs.push_back(run);
   }
   return experiment;
@@ -210,7 +207,7 @@ Experiment loop(Dice& dice) {
     const double q = 0.05 * std::sin(4 * std::numbers::pi * i / 60);
     rub = std::clamp(rub + 1e6 * k * (q - last), -friction, friction);
     last = q;
-    run.readings.push_back({0.5 * i, q, 0, k * q + rub + dice.noise(0.05 * friction), 0, {}});
+    run.readings.push_back({0.5 * i, {q, 0, k * q + rub + dice.noise(0.05 * friction), 0}});
   }
   experiment.runs = {run};
   return experiment;
@@ -226,7 +223,7 @@ Experiment flexure(Dice& dice) {
   run.by_weights = true;
   for (int i = 0; i <= 14; ++i) {
     const double torque = 3e-4 * k * (7 - std::abs(7 - i)) / 7;
-    run.readings.push_back({2.0 * i, torque / own + dice.noise(5e-7), 0, torque, 0, {}});
+    run.readings.push_back({2.0 * i, {torque / own + dice.noise(5e-7), 0, torque, 0}});
   }
   experiment.runs = {run};
   return experiment;
@@ -294,7 +291,7 @@ TEST_CASE("the run in another unit is asked about, alone and by its factor" * do
     Experiment experiment = pulled(dice, length, k, forces, law, 2e-4);
     experiment.runs.push_back(pulled(dice, length, k, forces, law, 2e-4).runs[0]);
     experiment.runs[0].id = "a", experiment.runs[1].id = "b";
-    for (Reading& one : experiment.runs[1].readings) one.Fy *= 10;
+    for (Reading& one : experiment.runs[1].readings) one[column_Fy] *= 10;
     const auto doubt = suspected_convention(Study(experiment));
     REQUIRE(doubt);
     CHECK(doubt->looks_like == "numbers ten times as large");

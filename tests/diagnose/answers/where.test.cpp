@@ -17,11 +17,11 @@ namespace {
 /// steeply, and next to nothing once the chain gives way.
 Experiment presses(const std::vector<int>& readings) {
   Experiment experiment = three_links();
-  experiment.noise.q = 0;
+  experiment.noise[Channel::Name::q] = 0;
   for (const int count : readings)
     press(experiment, {0.05, -0.1, 0.05}, {-1e-3 * count, 0}, count - 1, false);
   for (Run& run : experiment.runs)
-    for (Reading& reading : run.readings) reading.q.clear();
+    for (Reading& reading : run.readings) reading.value.resize(column_q);
   return experiment;
 }
 
@@ -33,7 +33,7 @@ Study read_off(Experiment experiment, const VectorXd& residual) {
       const auto row = static_cast<Eigen::Index>(series.first + i);
       series.channel.in(experiment.runs[series.run].readings[series.readings[i]]) =
           bare.nominal().runs[series.run](static_cast<Eigen::Index>(series.readings[i]),
-                                          column_of(series.channel)) +
+                                          series.channel.column) +
           bare.measurements().sigma()(row) * residual(row);
     }
   return Study(experiment);
@@ -111,7 +111,7 @@ TEST_CASE("a reading that is noisier than others has less of the gap") {
 
 TEST_CASE("along the path a share belongs to the readings that hold it, also where others are missing") {
   Experiment experiment = presses({12});
-  for (std::size_t i = 0; i < 2; ++i) experiment.runs[0].readings[i].Fx = nan_value();
+  for (std::size_t i = 0; i < 2; ++i) experiment.runs[0].readings[i][column_Fx] = nan_value();
   const Measurements measurements(experiment);
   const std::vector<Regime> regime = regimes(experiment.runs[0], Study(experiment).nominal().runs[0]);
   std::size_t soft_from = 0;
@@ -261,7 +261,7 @@ TEST_CASE("the joint whose torque is missing is told by measured angles alone, a
   for (ChannelNoise& one : loud.channels) one.scale = 100;
   CHECK(locate(study, loud).joints.empty());
 
-  for (Reading& reading : experiment.runs[0].readings) reading.q.clear();
+  for (Reading& reading : experiment.runs[0].readings) reading.value.resize(column_q);
   const Study forces(experiment);
   CHECK(locate(forces, declared_noise(forces)).joints.empty());
 

@@ -88,8 +88,8 @@ TEST_CASE("a table of commands and reached angles is a run without a force") {
   REQUIRE(run.readings.size() == 4);
   CHECK(run.rest[0] == doctest::Approx(10 * one_degree));
   CHECK(run.readings[2].rest[0] == doctest::Approx(30 * one_degree));
-  CHECK(run.readings[2].q[0] == doctest::Approx(28 * one_degree));
-  CHECK(run.readings[2].Fx == 0);
+  CHECK(run.readings[2][column_q + 0] == doctest::Approx(28 * one_degree));
+  CHECK(run.readings[2][column_Fx] == 0);
   CHECK(run.turning_points() == std::vector{false, false, true, false});
   CHECK(run.turns_back());
   CHECK_FALSE(characteristic_scales(experiment).load_cell);
@@ -103,9 +103,9 @@ TEST_CASE(
       read_from(two_joints, "q1,q_command2,q2,q_command1,Fy\n0.1,0.5,0.4,0.2,-3\n0.1,0.6,0.5,0.3,-3\n");
   const Run& run = plain.runs.at(0);
   CHECK(run.readings[1].rest == std::vector{0.3, 0.6});
-  CHECK(run.readings[1].q == std::vector{0.1, 0.5});
-  CHECK(run.readings[1].Fx == 0);
-  CHECK(run.readings[1].Fy == -3);
+  CHECK(run.readings[1].angles(2) == std::vector{0.1, 0.5});
+  CHECK(run.readings[1][column_Fx] == 0);
+  CHECK(run.readings[1][column_Fy] == -3);
   CHECK_FALSE(run.by_weights);
   const std::string keys =
       "[columns]\nq_command = { column = [\"a\", \"b\"], sign = [1, -1], zero = [0, 0.1], absolute = true "

@@ -102,7 +102,7 @@ TEST_CASE("readings converted to other units, by hand") {
   for (const auto& [name, factor] : forces) {
     const Conversion& one = conversion(all, "Fx, Fy", name);
     const Reading read = converted(experiment, one).runs[0].readings[0];
-    check_close({read.Fx, read.Fy, read.x, read.y}, {5 * factor, 7 * factor, 2, 3});
+    check_close({read[column_Fx], read[column_Fy], read[column_x], read[column_y]}, {5 * factor, 7 * factor, 2, 3});
     CHECK(one.factor == close_to(factor));
     CHECK(one.expected == "N");
     CHECK_FALSE(one.mirror);
@@ -111,15 +111,15 @@ TEST_CASE("readings converted to other units, by hand") {
   }
   for (const auto& [name, factor] : {std::pair("mm", 1e-3), std::pair("cm", 1e-2), std::pair("in", 0.0254)}) {
     const Reading read = converted(experiment, conversion(all, "x, y", name)).runs[0].readings[0];
-    check_close({read.x, read.y, read.Fx, read.Fy}, {2 * factor, 3 * factor, 5, 7});
+    check_close({read[column_x], read[column_y], read[column_Fx], read[column_Fy]}, {2 * factor, 3 * factor, 5, 7});
     CHECK(conversion(all, "x, y", name).remedy ==
           std::string("columns.x.unit and columns.y.unit = \"") + name + "\"");
     const Experiment links = converted(experiment, conversion(all, "link_length", name)),
                      both = converted(experiment, conversion(all, "link_length, x, y", name));
     check_close(links.link_length, {0.2 * factor, 0.25 * factor, 0.15 * factor});
     check_close(both.link_length, links.link_length);
-    CHECK(links.runs[0].readings[0].x == 2);
-    check_close({both.runs[0].readings[0].x, both.runs[0].readings[0].y}, {2 * factor, 3 * factor});
+    CHECK(links.runs[0].readings[0][column_x] == 2);
+    check_close({both.runs[0].readings[0][column_x], both.runs[0].readings[0][column_y]}, {2 * factor, 3 * factor});
     CHECK(conversion(all, "link_length", name).factor == close_to(factor));
   }
   const double degree = std::acos(-1.0) / 180;
@@ -176,15 +176,15 @@ TEST_CASE("readings converted to other axes, by hand") {
        false}};
   const auto read = [&](const Conversion& one) {
     const Reading r = converted(experiment, one).runs[0].readings[0];
-    return std::vector<double>{r.x, r.y, r.Fx, r.Fy};
+    return std::vector<double>{r[column_x], r[column_y], r[column_Fx], r[column_Fy]};
   };
   for (const Laid& one : laid) {
     const Conversion &force = conversion(all, "Fx, Fy", std::string("forces ") + one.name),
                      &place = conversion(all, "x, y", std::string("an end point ") + one.name),
                      &both = conversion(all, "x, y, Fx, Fy", std::string("axes ") + one.name);
-    CHECK(read(force) == std::vector<double>{2, 3, one.Fx, one.Fy});
-    CHECK(read(place) == std::vector<double>{one.x, one.y, 5, 7});
-    CHECK(read(both) == std::vector<double>{one.x, one.y, one.Fx, one.Fy});
+    CHECK(read(force) == std::vector<double>{2, 3, one[column_Fx], one[column_Fy]});
+    CHECK(read(place) == std::vector<double>{one[column_x], one[column_y], 5, 7});
+    CHECK(read(both) == std::vector<double>{one[column_x], one[column_y], one[column_Fx], one[column_Fy]});
     CHECK(force.remedy == one.of_force);
     CHECK(place.remedy == one.of_position);
     CHECK(both.remedy == std::string(one.of_position) + ", " + one.of_force);
@@ -195,9 +195,9 @@ TEST_CASE("readings converted to other axes, by hand") {
   }
   // A component that is missing takes no other with it.
   Experiment half = experiment;
-  half.runs[0].readings[0].Fy = nan_value();
-  CHECK(converted(half, conversion(all, "Fx, Fy", "forces with x mirrored")).runs[0].readings[0].Fx == -5);
-  CHECK(converted(half, conversion(all, "Fx, Fy", "forces turned by 90 degrees")).runs[0].readings[0].Fy ==
+  half.runs[0].readings[0][column_Fy] = nan_value();
+  CHECK(converted(half, conversion(all, "Fx, Fy", "forces with x mirrored")).runs[0].readings[0][column_Fx] == -5);
+  CHECK(converted(half, conversion(all, "Fx, Fy", "forces turned by 90 degrees")).runs[0].readings[0][column_Fy] ==
         -5);
 }
 
@@ -243,11 +243,11 @@ TEST_CASE("joint angles in other conventions, by hand: readings, rest shape, bot
   for (const Written& one : written) {
     const Conversion &q = conversion(all, "q", one.name), &rest = conversion(all, "rest", one.name),
                      &both = conversion(all, "rest, q", one.name);
-    check_close(converted(experiment, q).runs[0].readings[0].q, one.q);
+    check_close(converted(experiment, q).runs[0].readings[0].angles(3), one.angles(3));
     check_close(converted(experiment, q).runs[0].rest, {0.3, -0.5, 0.4});
     check_close(converted(experiment, rest).runs[0].rest, one.rest);
-    check_close(converted(experiment, rest).runs[0].readings[0].q, {0.1, 0.25, 0.45});
-    check_close(converted(experiment, both).runs[0].readings[0].q, one.q);
+    check_close(converted(experiment, rest).runs[0].readings[0].angles(3), {0.1, 0.25, 0.45});
+    check_close(converted(experiment, both).runs[0].readings[0].angles(3), one.angles(3));
     check_close(converted(experiment, both).runs[0].rest, one.rest);
     CHECK(q.remedy == one.of_q);
     CHECK(rest.remedy == one.of_rest);
@@ -281,7 +281,7 @@ TEST_CASE("chain lists reversed, and readings in units other than SI") {
   check_close(converted(experiment, conversion(all, "rest", "radians")).runs[0].rest,
               {0.3 * 180 / std::acos(-1.0), -0.5 * 180 / std::acos(-1.0), 0.4 * 180 / std::acos(-1.0)});
   const Reading read = converted(experiment, conversion(all, "x, y", "mm")).runs[0].readings[0];
-  check_close({read.x, read.y}, {0.2, 0.3});
+  check_close({read[column_x], read[column_y]}, {0.2, 0.3});
   CHECK(conversion(all, "Fx, Fy", "N").factor == close_to(1 / 9.80665));
   // Newtons that were multiplied once too often are what is said to be kgf already.
   for (const Conversion& one : all) CHECK(one.looks_like.find("once too often") == std::string::npos);

@@ -28,7 +28,7 @@ Experiment logged(int steps) {
   Run& run = experiment.runs[0];
   for (std::size_t i = 0; i < run.readings.size(); ++i)
     for (const Channel& channel : run.measured())
-      channel.in(run.readings[i]) = nominal.runs[0](static_cast<Eigen::Index>(i), column_of(channel)) +
+      channel.in(run.readings[i]) = nominal.runs[0](static_cast<Eigen::Index>(i), channel.column) +
                                     channel.sigma(experiment.noise) * normal(random);
   return experiment;
 }
@@ -46,9 +46,9 @@ TEST_CASE("a long run keeps its ends and turning points, and its readings their 
   const Experiment all = logged(5000), few = decimated(all);
   const Run &before = all.runs[0], &after = few.runs[0];
   CHECK(after.readings.size() < 1100);
-  CHECK(after.readings.front().x == before.readings.front().x);
-  CHECK(after.readings.back().x == before.readings.back().x);
-  const auto depth = [](const Reading& a, const Reading& b) { return a.x < b.x; };
+  CHECK(after.readings.front()[column_x] == before.readings.front()[column_x]);
+  CHECK(after.readings.back()[column_x] == before.readings.back()[column_x]);
+  const auto depth = [](const Reading& a, const Reading& b) { return a[column_x] < b[column_x]; };
   const auto deepest = std::min_element(after.readings.begin(), after.readings.end(), depth);
   CHECK(deepest->x == std::min_element(before.readings.begin(), before.readings.end(), depth)->x);
   CHECK(std::isnan(deepest->Fx));
@@ -71,12 +71,12 @@ TEST_CASE("decimated readings have the declared noise, and no gap") {
 TEST_CASE("a few outliers do not move decimated readings") {
   Experiment all = logged(5000);
   const Experiment clean = decimated(all);
-  for (std::size_t i = 0; i < all.runs[0].readings.size(); i += 50) all.runs[0].readings[i].Fx += 100;
+  for (std::size_t i = 0; i < all.runs[0].readings.size(); i += 50) all.runs[0].readings[i][column_Fx] += 100;
   const Experiment few = decimated(all);
   // an outlier on one side of a group of eleven shifts its median by about a quarter of a sigma
   for (std::size_t i = 0; i < few.runs[0].readings.size(); ++i)
-    if (const double Fx = few.runs[0].readings[i].Fx; !std::isnan(Fx))
-      CHECK(std::abs(Fx - clean.runs[0].readings[i].Fx) < 5 * 0.1);
+    if (const double Fx = few.runs[0].readings[i][column_Fx]; !std::isnan(Fx))
+      CHECK(std::abs(Fx - clean.runs[0].readings[i][column_Fx]) < 5 * 0.1);
 }
 
 namespace {
@@ -88,7 +88,7 @@ Experiment numbered(std::size_t count, std::size_t turn) {
   Run run{"press", Control::end_point, {0.3, -0.5, 0.4}, {}};
   for (std::size_t i = 0; i < count; ++i) {
     const double way = static_cast<double>(i <= turn ? i : 2 * turn - i), number = static_cast<double>(i);
-    run.readings.push_back({2 * number, -way, 3 * way, number, number, {}});
+    run.readings.push_back({2 * number, {-way, 3 * way, number, number}});
   }
   experiment.runs.push_back(run);
   return experiment;
@@ -109,13 +109,13 @@ TEST_CASE("which readings are decimated, by hand") {
   // Readings 4, 5 and 6: the mean time, the mean command, the median of the measured values.
   const Reading& third = run.readings[2];
   CHECK(third.t == 10);
-  CHECK(third.x == -5);
-  CHECK(third.y == 15);
-  CHECK(third.Fx == 5);
-  CHECK(third.Fy == 5);
-  for (const std::size_t end : {0U, 400U}) CHECK(std::isnan(run.readings[end].Fx));
-  CHECK(run.readings[0].x == 0);
-  CHECK(run.readings[400].x == -1198);
+  CHECK(third[column_x] == -5);
+  CHECK(third[column_y] == 15);
+  CHECK(third[column_Fx] == 5);
+  CHECK(third[column_Fy] == 5);
+  for (const std::size_t end : {0U, 400U}) CHECK(std::isnan(run.readings[end][column_Fx]));
+  CHECK(run.readings[0][column_x] == 0);
+  CHECK(run.readings[400][column_x] == -1198);
 
   // A turn stands alone. Between it and the ends, 599 readings each: 200 groups, one of them of two.
   const Run back = decimated(numbered(1201, 600)).runs[0];
@@ -140,15 +140,15 @@ Experiment cycled(int cycles, int each_way, double jitter = 0) {
   for (int cycle = 1; cycle < cycles; ++cycle)
     run.readings.insert(run.readings.end(), once.begin() + 1, once.end());
   for (std::size_t i = 0; i < run.readings.size(); ++i) run.readings[i].t = 0.01 * static_cast<double>(i);
-  for (Reading& reading : run.readings) reading.q.clear();
+  for (Reading& reading : run.readings) reading.value.resize(column_q);
   const Prediction nominal = predict(Study(experiment), {}, {});
   std::mt19937_64 random(7);
   std::normal_distribution<double> normal;
   for (std::size_t i = 0; i < run.readings.size(); ++i) {
     for (const Channel& channel : run.measured())
-      channel.in(run.readings[i]) = nominal.runs[0](static_cast<Eigen::Index>(i), column_of(channel)) +
+      channel.in(run.readings[i]) = nominal.runs[0](static_cast<Eigen::Index>(i), channel.column) +
                                     channel.sigma(experiment.noise) * normal(random);
-    run.readings[i].x += jitter * normal(random);
+    run.readings[i][column_x] += jitter * normal(random);
   }
   return experiment;
 }
@@ -166,8 +166,8 @@ TEST_CASE("a run with small reversals has four groups between reversals, on aver
     std::vector<Reading>& readings = experiment.runs[0].readings;
     for (std::size_t i = there; i < count; ++i) {
       const std::size_t leg = (i - there) / 50, on = (i - there) % 50, back = leg % 2 == 0 ? on : 50 - on;
-      readings[i].x = -static_cast<double>(there - back);
-      readings[i].y = -3 * readings[i].x;
+      readings[i][column_x] = -static_cast<double>(there - back);
+      readings[i][column_y] = -3 * readings[i][column_x];
     }
     const Run few = decimated(experiment).runs[0];
     // The readings between the first one and the first reversal.
@@ -175,7 +175,7 @@ TEST_CASE("a run with small reversals has four groups between reversals, on aver
     REQUIRE(turn != few.groups.first.end());
     CHECK(static_cast<std::size_t>(turn - few.groups.first.begin()) == 1 + (there - 1 + size - 1) / size);
     CHECK(std::count_if(few.readings.begin(), few.readings.end(),
-                        [](const Reading& r) { return std::isnan(r.Fx); }) == 201);
+                        [](const Reading& r) { return std::isnan(r[column_Fx]); }) == 201);
   }
 }
 
@@ -200,7 +200,7 @@ TEST_CASE("position jitter is not a reversal and does not prevent decimation") {
   const Experiment few = decimated(cycled(1, 5000, 3e-5));
   CHECK(few.runs[0].readings.size() < 600);
   std::size_t unseen = 0;
-  for (const Reading& reading : few.runs[0].readings) unseen += std::isnan(reading.Fx) ? 1 : 0;
+  for (const Reading& reading : few.runs[0].readings) unseen += std::isnan(reading[column_Fx]) ? 1 : 0;
   CHECK(unseen <= 3);
 }
 
@@ -213,19 +213,19 @@ TEST_CASE("an unsteady position of a held run is not a reversal") {
   for (std::size_t i = 0; i < held.readings.size(); ++i) {
     held.readings[i] = far;
     held.readings[i].t = 0.01 * static_cast<double>(i);
-    held.readings[i].x += 5e-6 * normal(random);
+    held.readings[i][column_x] += 5e-6 * normal(random);
   }
   experiment.runs.push_back(held);
   const Experiment few = decimated(experiment);
   CHECK(few.runs[1].readings.size() < 300);
   const std::vector<Reading>& left = few.runs[1].readings;
-  CHECK(std::count_if(left.begin(), left.end(), [](const Reading& r) { return std::isnan(r.Fx); }) <= 3);
+  CHECK(std::count_if(left.begin(), left.end(), [](const Reading& r) { return std::isnan(r[column_Fx]); }) <= 3);
 }
 
 TEST_CASE("a run that reverses at every reading is not decimated") {
   Experiment experiment = cycled(1, 1000);
   for (std::size_t i = 0; i < experiment.runs[0].readings.size(); i += 2)
-    experiment.runs[0].readings[i].x += 1e-3;
+    experiment.runs[0].readings[i][column_x] += 1e-3;
   CHECK(decimated(experiment).runs[0].readings.size() == experiment.runs[0].readings.size());
 }
 
@@ -243,17 +243,17 @@ TEST_CASE("groups along a parabola lie on it, also where the command is faster")
   for (const bool faster : {false, true}) {
     CAPTURE(faster);
     for (Reading& reading : experiment.runs[0].readings) {
-      if (faster) reading.x *= 1 - reading.x / 1e5, reading.y = -3 * reading.x;
-      reading.Fx = along(reading.x);
+      if (faster) reading[column_x] *= 1 - reading[column_x] / 1e5, reading[column_y] = -3 * reading[column_x];
+      reading[column_Fx] = along(reading[column_x]);
     }
     for (std::size_t i = 3; i < 10001; i += 50)
-      experiment.runs[0].readings[i].Fx = std::numeric_limits<double>::quiet_NaN();
+      experiment.runs[0].readings[i][column_Fx] = std::numeric_limits<double>::quiet_NaN();
     const Run few = decimated(experiment).runs[0];
     CHECK(few.groups.size >= 19);
     // Of an even number the mean of the middle two is off by a quarter of the curvature, and of a step that
     // grows by a ten-thousandth of itself, twenty readings long, by less; a plain median by 25 of them.
     for (const Reading& reading : few.readings)
-      if (!std::isnan(reading.Fx)) CHECK(std::abs(reading.Fx - along(reading.x)) < 0.01);
+      if (!std::isnan(reading[column_Fx])) CHECK(std::abs(reading[column_Fx] - along(reading[column_x])) < 0.01);
   }
 }
 
@@ -262,13 +262,13 @@ TEST_CASE("a few readings between two turning points lose their measured values"
   Experiment experiment = numbered(10001, 5000);
   std::vector<Reading>& readings = experiment.runs[0].readings;
   for (std::size_t i = 0; i < 6; ++i) {
-    readings[2000 + i].x += 100.0 * static_cast<double>(i + 1);
-    readings[2000 + i].y = -3 * readings[2000 + i].x;
+    readings[2000 + i][column_x] += 100.0 * static_cast<double>(i + 1);
+    readings[2000 + i][column_y] = -3 * readings[2000 + i][column_x];
   }
   const Run few = decimated(experiment).runs[0];
   REQUIRE(few.groups.size > 15);
   std::size_t unseen = 0;
-  for (const Reading& reading : few.readings) unseen += std::isnan(reading.Fx) ? 1 : 0;
+  for (const Reading& reading : few.readings) unseen += std::isnan(reading[column_Fx]) ? 1 : 0;
   // The ends, the middle, the two new turns, and what is between these.
   CHECK(unseen == 6);
 }

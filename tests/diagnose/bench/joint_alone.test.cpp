@@ -122,7 +122,7 @@ samples = "loop.csv"
   CHECK(experiment.runs[0].rest[0] == doctest::Approx(0.001));
   CHECK(experiment.runs[0].imposed() == std::vector<Channel>{{Channel::Name::x}});
   CHECK(experiment.runs[0].measured() == std::vector<Channel>{{Channel::Name::Fx}});
-  CHECK(experiment.runs[0].readings[1].x == doctest::Approx(0.001));
+  CHECK(experiment.runs[0].readings[1][column_x] == doctest::Approx(0.001));
 }
 
 TEST_CASE("what is wrong with a joint alone is said in one line") {

@@ -83,7 +83,7 @@ double force_in(const std::string& unit, const std::string& text) {
   const toml::table table = toml::parse(tables);
   format = read_sample_format(Section(table, "f"), format);
   const SampleTable samples = parse_sample_table("F\n" + text + "\n", "s", format);
-  return read_samples({{"s", samples, format}}, Control::end_point).readings.at(0).Fx;
+  return read_samples({{"s", samples, format}}, Control::end_point).readings.at(0)[column_Fx];
 }
 
 }  // namespace
@@ -164,11 +164,11 @@ q = ["A1", "A2"]
     CAPTURE(i);
     const auto same = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
     CHECK(found[i].t == expected[i].t);
-    CHECK(found[i].x == expected[i].x);
-    CHECK(found[i].y == expected[i].y);
-    CHECK(found[i].Fx == expected[i].Fx);
-    CHECK(same(found[i].Fy, expected[i].Fy));
-    for (std::size_t j = 0; j < 2; ++j) CHECK(same(found[i].q.at(j), expected[i].q.at(j)));
+    CHECK(found[i][column_x] == expected[i][column_x]);
+    CHECK(found[i][column_y] == expected[i][column_y]);
+    CHECK(found[i][column_Fx] == expected[i][column_Fx]);
+    CHECK(same(found[i][column_Fy], expected[i][column_Fy]));
+    for (std::size_t j = 0; j < 2; ++j) CHECK(same(found[i][column_q + j], expected[i][column_q + j]));
   }
 }
 
@@ -180,9 +180,9 @@ TEST_CASE("tabs, bars, blanks and files without a header are read") {
     REQUIRE(found.size() == 2);
     for (std::size_t i = 0; i < 2; ++i) {
       CHECK(found[i].t == expected[i].t);
-      CHECK(found[i].x == expected[i].x);
-      CHECK(found[i].Fx == expected[i].Fx);
-      CHECK(found[i].Fy == expected[i].Fy);
+      CHECK(found[i][column_x] == expected[i][column_x]);
+      CHECK(found[i][column_Fx] == expected[i][column_Fx]);
+      CHECK(found[i][column_Fy] == expected[i][column_Fy]);
     }
   };
   same("csv = { delimiter = \"tab\" }", "t\tx\ty\tFx\tFy\n0\t0.45\t0.02\t-1\t0.5\n2\t0.44\t0.02\t-2\t0.25\n");
@@ -201,10 +201,10 @@ TEST_CASE("absolute angles, settings of single runs, and files without time") {
   const double degree = 0.017453292519943295;
   CHECK(angles[0].t == 0);
   CHECK(angles[1].t == 1);
-  CHECK(std::isnan(angles[0].Fx));
-  CHECK(angles[0].q[0] == 20 * degree);
-  CHECK(angles[0].q[1] == close_to(-60 * degree).epsilon(1e-15));
-  CHECK(std::isnan(angles[1].q[1]));
+  CHECK(std::isnan(angles[0][column_Fx]));
+  CHECK(angles[0][column_q + 0] == 20 * degree);
+  CHECK(angles[0][column_q + 1] == close_to(-60 * degree).epsilon(1e-15));
+  CHECK(std::isnan(angles[1][column_q + 1]));
   const std::string toml = R"(format = "chain-experiment/1"
 name = "two"
 nominal = { link_length = [300, 200], joint_stiffness = [2e3, 1500], link_mass = [10, 20], gravity = [0, -9810] }
@@ -229,10 +229,10 @@ csv = { delimiter = ";" }
            : name == "a.csv"         ? std::string("t,x,y,Fx,Fy\n0,0.45,0.02,500,250\n1,0.44,0.02,500,250\n")
                                      : std::string("t;x;y;Load;Fy\n0;0.45;0.02;0.5;250\n");
   });
-  CHECK(both.runs[0].readings[0].Fx == 0.5);
-  CHECK(both.runs[1].readings[0].Fx == 0.5);
-  CHECK(both.runs[1].readings[0].Fy == 0.25);
-  CHECK(both.noise.Fx == 0.02);
+  CHECK(both.runs[0].readings[0][column_Fx] == 0.5);
+  CHECK(both.runs[1].readings[0][column_Fx] == 0.5);
+  CHECK(both.runs[1].readings[0][column_Fy] == 0.25);
+  CHECK(both.noise[Channel::Name::Fx] == 0.02);
   CHECK(both.link_length == std::vector{0.3, 0.2});
   CHECK(both.joint_stiffness == std::vector{2.0, 1.5});
   CHECK(both.link_mass == std::vector{0.01, 0.02});

@@ -67,14 +67,14 @@ TEST_CASE("an arm is read joint by joint, its poses in their units") {
   CHECK(arm.links[1].joint_compliance == 0);
   CHECK(arm.links[1].axis == Vector3<double>(0, 1, 0));
   CHECK(experiment.link_length == std::vector<double>{0.25, 0.3});
-  CHECK(experiment.noise.place == close_to(1e-5));
+  CHECK(experiment.noise[Channel::Name::place] == close_to(1e-5));
   const Reading& second = experiment.runs[0].readings[1];
   CHECK(second.rest[0] == close_to(std::numbers::pi / 2));
-  CHECK(second.points[1] == close_to(0.55));
-  CHECK(std::isnan(second.points[3]));
+  CHECK(second[first_of_point + 1] == close_to(0.55));
+  CHECK(std::isnan(second[first_of_point + 3]));
   CHECK(second.wrench[2] == close_to(-1.5 * 9.81));
   const std::vector<Channel> measured = experiment.runs[0].measured();
-  CHECK(std::find(measured.begin(), measured.end(), Channel{Channel::Name::place, 2}) != measured.end());
+  CHECK(std::find(measured.begin(), measured.end(), Channel(Channel::Name::place, 2)) != measured.end());
 }
 
 TEST_CASE("a pose is read as a rotation from the nominal orientation") {
@@ -85,8 +85,8 @@ TEST_CASE("a pose is read as a rotation from the nominal orientation") {
                                      "q_command1,q_command2,tip_qw,tip_qx,tip_qy,tip_qz\n90,0," + quaternion +
                                          "\n0,0,1,0,0,0\n0,0,1,0,0,0\n");
   // six digits after the point
-  CHECK(experiment.runs[0].readings[0].points[5] == doctest::Approx(0.1).epsilon(1e-4));
-  CHECK(std::abs(experiment.runs[0].readings[1].points[5]) < 1e-15);
+  CHECK(experiment.runs[0].readings[0][first_of_point + 5] == doctest::Approx(0.1).epsilon(1e-4));
+  CHECK(std::abs(experiment.runs[0].readings[1][first_of_point + 5]) < 1e-15);
 }
 
 TEST_CASE("slips in an arm's experiment are told in one line") {

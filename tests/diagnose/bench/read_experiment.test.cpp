@@ -107,20 +107,20 @@ TEST_CASE("a good experiment is read as it stands") {
   CHECK(experiment.gravity == std::array{0.0, 0.0});
   CHECK(experiment.bench.plane == Bench::Plane::vertical);
   CHECK(experiment.bench.gravity_direction == std::array{0.0, -1.0});
-  CHECK(experiment.noise.q == 0.001);
+  CHECK(experiment.noise[Channel::Name::q] == 0.001);
   REQUIRE(experiment.runs.size() == 2);
   const Run& press = experiment.runs[0];
   CHECK(press.control == Control::end_point);
   REQUIRE(press.readings.size() == 2);
-  CHECK(press.readings[1].Fx == -0.1);
-  CHECK(std::isnan(press.readings[1].Fy));
-  CHECK(press.readings[1].q[0] == 0.41);
-  CHECK(std::isnan(press.readings[1].q[1]));
+  CHECK(press.readings[1][column_Fx] == -0.1);
+  CHECK(std::isnan(press.readings[1][column_Fy]));
+  CHECK(press.readings[1][column_q + 0] == 0.41);
+  CHECK(std::isnan(press.readings[1][column_q + 1]));
   const Run& pull = experiment.runs[1];
   CHECK(pull.control == Control::force);
-  CHECK(pull.readings[0].q.empty());
-  CHECK(std::isnan(pull.readings[0].x));
-  CHECK(pull.readings[1].Fy == 0.01);
+  CHECK_FALSE(pull.reads_angles());
+  CHECK(std::isnan(pull.readings[0][column_x]));
+  CHECK(pull.readings[1][column_Fy] == 0.01);
   const auto q2 = std::find_if(press.origins.begin(), press.origins.end(),
                                [](const Origin& one) { return one.what == "q2"; });
   REQUIRE(q2 != press.origins.end());
@@ -267,9 +267,9 @@ TEST_CASE("a plan is read without measurements") {
                .press = "t,x,y\n0,0.4518,0.0209\n1,0.4500,0.0209\n"});
   const Experiment bench = read_plan(folder.path());
   REQUIRE(bench.runs.size() == 2);
-  CHECK(bench.runs[0].readings[1].x == 0.45);
-  CHECK(std::isnan(bench.runs[0].readings[1].Fx));
-  CHECK(bench.runs[0].readings[1].q.size() == 2);  // as [noise] has a figure for them
+  CHECK(bench.runs[0].readings[1][column_x] == 0.45);
+  CHECK(std::isnan(bench.runs[0].readings[1][column_Fx]));
+  CHECK(bench.runs[0].measured().back() == Channel(Channel::Name::q, 1));  // as [noise] has a figure for them
   CHECK(bench.runs[1].readings.empty());
   CHECK(bench.runs[1].control == Control::force);
 }
@@ -278,9 +278,9 @@ TEST_CASE("a plan ignores measured columns") {
   const Folder folder;
   lay(folder, {});
   const Experiment bench = read_plan(folder.path());
-  CHECK(std::isnan(bench.runs[0].readings[1].Fx));
-  CHECK(std::isnan(bench.runs[1].readings[1].x));
-  CHECK(bench.runs[1].readings[1].Fx == 0.1);
+  CHECK(std::isnan(bench.runs[0].readings[1][column_Fx]));
+  CHECK(std::isnan(bench.runs[1].readings[1][column_x]));
+  CHECK(bench.runs[1].readings[1][column_Fx] == 0.1);
 }
 
 TEST_CASE("an experiment without measurements, and a plan that would measure nothing, are refused") {

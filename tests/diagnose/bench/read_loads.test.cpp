@@ -68,7 +68,7 @@ TEST_CASE("a tendon: its column, radii in a unit, no force on the end point with
   const Run& run = experiment.runs.at(0);
   CHECK(run.readings[1].covariates == std::vector{2.0});
   CHECK(run.readings[2].covariates == std::vector{2.0});  // missing: the last one is repeated
-  CHECK(run.readings[1].Fx == 0);
+  CHECK(run.readings[1][column_Fx] == 0);
   CHECK(run.by_weights);
   REQUIRE(run.loads.size() == 1);
   CHECK(run.loads[0].name == "tension");

@@ -283,16 +283,16 @@ q = { column = ["q1", "q2"], absolute = true }
   const Reading &first = samples.readings[0], &second = samples.readings[1];
   CHECK(first.t == 0);  // counted where there is no time
   CHECK(second.t == 1);
-  CHECK(first.x == 0);
-  CHECK(second.x == 0.0025);
-  CHECK(first.y == 0.02);
-  CHECK(second.y == 0.02);
-  CHECK(first.Fx == 1.5);
-  CHECK(std::isnan(second.Fx));
-  CHECK(std::isnan(first.Fy));
-  CHECK(first.q == std::vector<double>{0.25, 0.5});
-  CHECK(second.q[0] == 0.5);
-  CHECK(std::isnan(second.q[1]));
+  CHECK(first[column_x] == 0);
+  CHECK(second[column_x] == 0.0025);
+  CHECK(first[column_y] == 0.02);
+  CHECK(second[column_y] == 0.02);
+  CHECK(first[column_Fx] == 1.5);
+  CHECK(std::isnan(second[column_Fx]));
+  CHECK(std::isnan(first[column_Fy]));
+  CHECK(first.angles(2) == std::vector<double>{0.25, 0.5});
+  CHECK(second[column_q + 0] == 0.5);
+  CHECK(std::isnan(second[column_q + 1]));
   REQUIRE(samples.origins.size() == 11);  // commanded angles and a second sensor among them
   CHECK(samples.origins[place_t].source.empty());
   CHECK(samples.origins[place_x].source == "x");
@@ -306,9 +306,9 @@ q = { column = ["q1", "q2"], absolute = true }
 TEST_CASE("the first present reading of a column is its zero") {
   const Samples samples =
       sampled("[columns]\nFx = { column = \"F\", zero = \"first\" }\n", "x,y,F\n1,2,\n1,2,7\n1,2,9\n");
-  CHECK(std::isnan(samples.readings[0].Fx));
-  CHECK(samples.readings[1].Fx == 0);
-  CHECK(samples.readings[2].Fx == 2);
+  CHECK(std::isnan(samples.readings[0][column_Fx]));
+  CHECK(samples.readings[1][column_Fx] == 0);
+  CHECK(samples.readings[2][column_Fx] == 2);
 }
 
 TEST_CASE("an invalid number or reading is refused at its line") {

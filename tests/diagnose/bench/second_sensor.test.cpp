@@ -48,9 +48,9 @@ Experiment read_two_cells(const std::string& settings = two_cells) {
 /// of its own.
 Experiment with_second_cell(const Candidate& truth, const std::vector<double>& values) {
   Experiment experiment = full_bench();
-  experiment.noise.Fx_2 = experiment.noise.Fx, experiment.noise.Fy_2 = experiment.noise.Fy;
+  experiment.noise[Channel::Name::Fx_2] = experiment.noise[Channel::Name::Fx], experiment.noise[Channel::Name::Fy_2] = experiment.noise[Channel::Name::Fy];
   for (Run& run : experiment.runs)
-    for (Reading& reading : run.readings) reading.second_load = {0, 0};
+    for (Reading& reading : run.readings) reading[column_Fx_2] = reading[column_Fy_2] = 0;
   const Prediction predicted = predict(Study(experiment), truth, values);
   REQUIRE(predicted.reached);
   Experiment result = measured(experiment, truth, values, 5);
@@ -58,9 +58,9 @@ Experiment with_second_cell(const Candidate& truth, const std::vector<double>& v
   std::normal_distribution<double> normal;
   for (std::size_t r = 0; r < result.runs.size(); ++r)
     for (std::size_t i = 0; i < result.runs[r].readings.size(); ++i)
-      for (const Channel& channel : {Channel{Name::Fx_2}, Channel{Name::Fy_2}})
+      for (const Channel& channel : {Channel(Name::Fx_2), Channel(Name::Fy_2)})
         channel.in(result.runs[r].readings[i]) =
-            predicted.runs[r](static_cast<Eigen::Index>(i), column_of(channel)) +
+            predicted.runs[r](static_cast<Eigen::Index>(i), channel.column) +
             channel.sigma(result.noise) * normal(engine);
   return result;
 }
@@ -71,11 +71,11 @@ TEST_CASE("a second load cell is read in its unit and sign, with a noise of its 
   const Experiment experiment = read_two_cells();
   const Run& run = experiment.runs.at(0);
   CHECK(run.measured() == std::vector<Channel>{{Name::Fx}, {Name::Fy}, {Name::Fx_2}});
-  CHECK(Channel{Name::Fx_2}.of(run.readings[1]) == close_to(-0.11));
-  CHECK(std::isnan(Channel{Name::Fx_2}.of(run.readings[2])));
-  CHECK(Channel{Name::Fx_2}.sigma(experiment.noise) == close_to(0.03));
-  CHECK(Channel{Name::Fx_2}.label() == "Fx_2");
-  CHECK(Channel{Name::Fx_2}.unit() == "N");
+  CHECK(Channel(Name::Fx_2).of(run.readings[1]) == close_to(-0.11));
+  CHECK(std::isnan(Channel(Name::Fx_2).of(run.readings[2])));
+  CHECK(Channel(Name::Fx_2).sigma(experiment.noise) == close_to(0.03));
+  CHECK(Channel(Name::Fx_2).label() == "Fx_2");
+  CHECK(Channel(Name::Fx_2).unit() == "N");
 }
 
 TEST_CASE("a second load cell without a noise is refused, and a joint alone has a second torque") {

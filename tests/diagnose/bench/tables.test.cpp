@@ -72,7 +72,7 @@ void check_same(const Run& run, const Run& other) {
     CAPTURE(i);
     CHECK(same(a.t, b.t));
     // Each decimal is read to the double nearest to its value in SI, whatever its unit.
-    CHECK((same(a.x, b.x) && same(a.y, b.y) && same(a.Fx, b.Fx) && same(a.Fy, b.Fy)));
+    CHECK((same(a[column_x], b[column_x]) && same(a[column_y], b[column_y]) && same(a[column_Fx], b[column_Fx]) && same(a[column_Fy], b[column_Fy])));
   }
 }
 
@@ -99,10 +99,10 @@ TEST_CASE("one run a column: each has its own readings under the common loads") 
   REQUIRE(experiment.runs.size() == 3);
   for (const Run& run : experiment.runs) {
     CHECK(run.readings.size() == 10);
-    CHECK(run.readings[1].Fy == 0.5);
+    CHECK(run.readings[1][column_Fy] == 0.5);
   }
-  CHECK(experiment.runs[1].readings[1].y == 0.0155);
-  CHECK(std::isnan(experiment.runs[2].readings[9].y));
+  CHECK(experiment.runs[1].readings[1][column_y] == 0.0155);
+  CHECK(std::isnan(experiment.runs[2].readings[9][column_y]));
 }
 
 TEST_CASE("a run cut into files anywhere is the same run") {
@@ -112,7 +112,7 @@ TEST_CASE("a run cut into files anywhere is the same run") {
     Texts files{{"a.csv", "t,x,y,Fx,Fy\n"}, {"b.csv", "t,x,y,Fx,Fy\n"}};
     for (std::size_t i = 0; i < whole.readings.size(); ++i) {
       const Reading& r = whole.readings[i];
-      files[i < cut ? "a.csv" : "b.csv"] += fmt::format("{},{},{},{},{}\n", r.t, r.x, r.y, r.Fx, r.Fy);
+      files[i < cut ? "a.csv" : "b.csv"] += fmt::format("{},{},{},{},{}\n", r.t, r[column_x], r[column_y], r[column_Fx], r[column_Fy]);
     }
     check_same(read_texts(one_run("", R"(["a.csv", "b.csv"])", files)).runs.front(), whole);
   }));
@@ -131,7 +131,7 @@ TEST_CASE("the first reading is that of the run, not of each file") {
   const Reading last =
       read_texts(one_run(columns, R"(["a.csv", "b.csv"])", files)).runs.front().readings.back();
   CHECK(last.t == 2);
-  CHECK(last.Fx == -3);
+  CHECK(last[column_Fx] == -3);
 }
 
 TEST_CASE("files that do not fit together are refused in one line") {

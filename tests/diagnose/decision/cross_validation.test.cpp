@@ -106,7 +106,7 @@ TEST_CASE("what is fitted without a part never sees it, and is measured on it al
       for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
         if (experiment.runs[r].id != run.id) continue;
         for (std::size_t i = 0; i < run.readings.size(); ++i)
-          if (part.reading[r][i]) CHECK(std::isnan(run.readings[i].Fx));
+          if (part.reading[r][i]) CHECK(std::isnan(run.readings[i][column_Fx]));
       }
     return std::optional(VectorXd(VectorXd::Constant(study.nominal_residual().size(), size++)));
   };
@@ -183,7 +183,7 @@ TEST_CASE("what a block holds out of one way, a run that comes back shows on the
     const double step = whole / 64;
     double place = turns[0];
     for (std::size_t i = 0, leg = 1; i < readings.size(); ++i) {
-      readings[i].x = 0.3 + 0.01 * place;
+      readings[i][column_x] = 0.3 + 0.01 * place;
       if (leg < turns.size() && std::abs(turns[leg] - place) < step / 2) ++leg;
       if (leg < turns.size()) place += std::copysign(step, turns[leg] - place);
     }
@@ -196,7 +196,7 @@ TEST_CASE("what a block holds out of one way, a run that comes back shows on the
         if (!held[i]) continue;
         bool seen = false;
         for (std::size_t other = 0; other < readings.size(); ++other)
-          seen = seen || (!held[other] && std::abs(readings[other].x - readings[i].x) < 0.011 * step);
+          seen = seen || (!held[other] && std::abs(readings[other][column_x] - readings[i][column_x]) < 0.011 * step);
         alone += !seen;
       }
       CHECK(alone == 0);

@@ -17,7 +17,7 @@ namespace {
 Posterior with_noise(double times) {
   Experiment experiment = measured(full_bench(), {}, {}, 11);
   Noise& declared = experiment.noise;
-  for (double* one : {&declared.x, &declared.y, &declared.Fx, &declared.Fy, &declared.q}) *one /= times;
+  for (double& one : declared.sigma) one /= times;
   const Study study(experiment);
   return posterior(study, search(study));
 }
@@ -43,7 +43,7 @@ Posterior with_angle_off(const std::function<double(std::size_t reading, std::si
   Experiment experiment = measured(full_bench(), {}, {}, 11);
   std::vector<Reading>& readings = experiment.runs.front().readings;
   for (std::size_t i = 0; i < readings.size(); ++i)
-    readings[i].q[1] += experiment.noise.q * sigmas(i, readings.size());
+    readings[i][column_q + 1] += experiment.noise[Channel::Name::q] * sigmas(i, readings.size());
   const Study study(experiment);
   return posterior(study, search(study));
 }

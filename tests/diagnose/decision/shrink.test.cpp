@@ -40,8 +40,8 @@ VectorXd by_series(const Measurements& measurements, const std::vector<double>& 
 
 TEST_CASE("the shrink of four held-out readings, by hand") {
   Experiment experiment = blank_experiment({4, 4});
-  experiment.noise.Fx = 0.5;
-  experiment.noise.Fy = 2;
+  experiment.noise[Channel::Name::Fx] = 0.5;
+  experiment.noise[Channel::Name::Fy] = 2;
   const Measurements measurements(experiment);  // series: Fx of the first run and the second, then Fy
   NoiseEstimate noise = declared_noise(measurements);
   for (ChannelNoise& one : noise.channels) one.scale = 1.5;
@@ -190,11 +190,11 @@ TEST_CASE("what is held out is hidden whole, what was commanded stays") {
       const Reading& reading = seen.runs[r].readings[i];
       const bool hidden = i == 2 || i == 3;
       CHECK(reading.t == experiment.runs[r].readings[i].t);
-      CHECK(std::isnan(reading.x) == (hidden && !displacement));
-      CHECK(std::isnan(reading.y) == (hidden && !displacement));
-      CHECK(std::isnan(reading.Fx) == (hidden && displacement));
-      CHECK(std::isnan(reading.Fy) == (hidden && displacement));
-      for (const double q : reading.q) CHECK(std::isnan(q) == hidden);
+      CHECK(std::isnan(reading[column_x]) == (hidden && !displacement));
+      CHECK(std::isnan(reading[column_y]) == (hidden && !displacement));
+      CHECK(std::isnan(reading[column_Fx]) == (hidden && displacement));
+      CHECK(std::isnan(reading[column_Fy]) == (hidden && displacement));
+      for (const double q : reading.angles(3)) CHECK(std::isnan(q) == hidden);
     }
   }
   // no measured value of a hidden reading is left in any list of them

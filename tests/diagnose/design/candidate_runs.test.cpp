@@ -97,8 +97,8 @@ TEST_CASE("without limits a held end point is pressed as far as before and 1.5 t
       const Vector2 to = start + static_cast<double>(r) / 20 * (far ? 0.015 : 0.01) * along[way];
       CHECK((run.command(run.readings[r]) - to).norm() < 1e-15);
       CHECK(run.readings[r].t == 3.0 * static_cast<double>(r));
-      CHECK(std::isnan(run.readings[r].Fx));
-      CHECK(std::isnan(run.readings[r].Fy));
+      CHECK(std::isnan(run.readings[r][column_Fx]));
+      CHECK(std::isnan(run.readings[r][column_Fy]));
     }
     if (back) CHECK((run.command(run.readings[33]) - run.command(run.readings[7])).norm() < 1e-15);
   }
@@ -115,8 +115,8 @@ TEST_CASE("a held end point is pressed to the limits of force and deflection, an
   };
   const auto longer = [](Run run) {
     for (Reading& one : run.readings) {
-      one.x += 0.5 * (one.x - run.readings[0].x);
-      one.y += 0.5 * (one.y - run.readings[0].y);
+      one[column_x] += 0.5 * (one[column_x] - run.readings[0][column_x]);
+      one[column_y] += 0.5 * (one[column_y] - run.readings[0][column_y]);
     }
     return run;
   };
@@ -154,11 +154,11 @@ TEST_CASE("an imposed force is as large as before, or limited by the earlier def
   REQUIRE(run.readings.size() == 41);
   CHECK((run.command(run.readings[20]) - Vector2(-0.08, 0.06)).norm() < 1e-15);
   CHECK(run.command(run.readings[40]).norm() == 0);
-  CHECK(std::isnan(run.readings[20].x));
+  CHECK(std::isnan(run.readings[20][column_x]));
   CHECK(run.readings[20].t == 60);
   // What is asked for is halved until the nominal joints turn no farther.
   const auto turned = [&](Run one, double times) {
-    for (Reading& r : one.readings) r.Fx *= times, r.Fy *= times;
+    for (Reading& r : one.readings) r[column_Fx] *= times, r[column_Fy] *= times;
     Experiment bench = experiment;
     bench.runs = {one};
     const Trace trace = predict(Study(bench), {}, {}).runs[0];

@@ -24,16 +24,12 @@ Experiment two_servos() {
   experiment.link_mass = {0, 0};
   experiment.gravity = {0, 0};
   experiment.bench = {Bench::Plane::vertical, {0, -1}, true};
-  experiment.noise.q = 1e-3;
+  experiment.noise[Channel::Name::q] = 1e-3;
   Run run{"poses", Control::force, {-0.5, 0}, {}};
   run.by_weights = true;
   for (const std::vector<double>& command : std::vector<std::vector<double>>{{-0.5, 0}, {1, 0.6}, {0, 0.3}}) {
     run.readings.push_back({static_cast<double>(run.readings.size()),
-                            nan_value(),
-                            nan_value(),
-                            0,
-                            0,
-                            {command[0] - 0.1, command[1] - 0.05},
+                            chain_values(nan_value(), nan_value(), 0, 0, {command[0] - 0.1, command[1] - 0.05}),
                             command});
   }
   experiment.runs = {run};

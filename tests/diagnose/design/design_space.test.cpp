@@ -54,7 +54,7 @@ TEST_CASE("a design space: planned runs first, as the nominal chain follows them
     for (std::size_t i = 0; i < run.readings.size(); ++i)
       for (const Channel& channel : run.measured())
         CHECK(channel.of(run.readings[i]) ==
-              nominal.runs[r](static_cast<Eigen::Index>(i), column_of(channel)));
+              nominal.runs[r](static_cast<Eigen::Index>(i), channel.column));
     if (r == 0) continue;
     CHECK(so_far.allows(nominal.runs[r], run));
   }
@@ -115,7 +115,7 @@ TEST_CASE("no effect is both possible and impossible at a joint") {
 
 TEST_CASE("a bench whose chain follows no run is refused") {
   Experiment far = planned_press();
-  for (Reading& one : far.runs[0].readings) one.x = 3;
+  for (Reading& one : far.runs[0].readings) one[column_x] = 3;
   CHECK_THROWS_WITH_AS(design_space(far),
                        "experiment \"three links\": found runs that the nominal chain cannot follow, "
                        "expected end points within "
@@ -126,19 +126,19 @@ TEST_CASE("a bench whose chain follows no run is refused") {
 TEST_CASE("simulated readings: measured channels hold the prediction, others are empty") {
   Experiment bench = planned_press();
   load(bench, {0.2, 0.3, -0.3}, {0, 0}, {-0.5, 0.2}, 4);
-  bench.noise.Fy = 0;
+  bench.noise[Channel::Name::Fy] = 0;
   bench = unmeasured(bench);
   const Prediction nominal = simulate(bench, Study(bench).nominal_rig(), {});
   const Experiment known = measured_as(bench, nominal);
   for (Eigen::Index i = 0; i < nominal.runs[0].rows(); ++i) {
     const Reading& reading = known.runs[0].readings[static_cast<std::size_t>(i)];
-    CHECK(reading.Fx == nominal.runs[0](i, column_Fx));
-    CHECK(std::isnan(reading.Fy));
-    CHECK(reading.q[2] == nominal.runs[0](i, column_q + 2));
-    CHECK(reading.x == bench.runs[0].readings[static_cast<std::size_t>(i)].x);
+    CHECK(reading[column_Fx] == nominal.runs[0](i, column_Fx));
+    CHECK(std::isnan(reading[column_Fy]));
+    CHECK(reading[column_q + 2] == nominal.runs[0](i, column_q + 2));
+    CHECK(reading[column_x] == bench.runs[0].readings[static_cast<std::size_t>(i)][column_x]);
   }
-  CHECK(known.runs[1].readings[3].x == nominal.runs[1](3, column_x));
-  CHECK(known.runs[1].readings[3].Fx == bench.runs[1].readings[3].Fx);
+  CHECK(known.runs[1].readings[3][column_x] == nominal.runs[1](3, column_x));
+  CHECK(known.runs[1].readings[3][column_Fx] == bench.runs[1].readings[3][column_Fx]);
 }
 
 TEST_CASE("planned runs that some effect cannot follow at any amount are left out") {

@@ -90,7 +90,7 @@ TEST_CASE("planned runs leave at least as much undetermined as the best runs" * 
 
 TEST_CASE("noise as large as the forces hides every effect, and no run is proposed") {
   Experiment bench = two_links();
-  bench.noise.Fx = bench.noise.Fy = 1e3;
+  bench.noise[Channel::Name::Fx] = bench.noise[Channel::Name::Fy] = 1e3;
   const Plan made = plan(bench);
   CHECK(made.unidentifiable.undetectable.size() == design_space(bench).effects.size());
   CHECK(made.unidentifiable.indistinguishable.empty());
@@ -99,7 +99,7 @@ TEST_CASE("noise as large as the forces hides every effect, and no run is propos
 
 TEST_CASE("indistinguishable effects are in one class, each once") {
   Experiment bench = two_links();
-  bench.noise.Fx = bench.noise.Fy = 8;  // so much that a few effects alone are seen
+  bench.noise[Channel::Name::Fx] = bench.noise[Channel::Name::Fy] = 8;  // so much that a few effects alone are seen
   const Unidentifiable never = plan(bench).unidentifiable;
   std::vector<EffectAt> classed;
   for (const Indistinguishable& one : never.indistinguishable) {

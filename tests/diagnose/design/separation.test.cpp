@@ -16,9 +16,9 @@ namespace {
 /// Three readings of a force along x.
 Study three_values() {
   Experiment experiment = three_links();
-  experiment.noise.q = 0;
+  experiment.noise[Channel::Name::q] = 0;
   press(experiment, {0.3, -0.5, 0.4}, {-0.02, 0}, 2, false);
-  for (Reading& reading : experiment.runs[0].readings) reading.Fy = nan_value(), reading.q.clear();
+  for (Reading& reading : experiment.runs[0].readings) reading[column_Fy] = nan_value(), reading.value.resize(column_q);
   return Study(experiment);
 }
 

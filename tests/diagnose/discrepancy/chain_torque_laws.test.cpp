@@ -31,9 +31,10 @@ Experiment pressed_with(const std::function<TorqueLaw(const Study&)>& truth, uns
   std::normal_distribution<double> normal;
   for (Run& run : experiment.runs)
     for (Reading& reading : run.readings) {
-      reading.Fx += experiment.noise.Fx * normal(engine);
-      reading.Fy += experiment.noise.Fy * normal(engine);
-      for (double& q : reading.q) q += experiment.noise.q * normal(engine);
+      reading[column_Fx] += experiment.noise[Channel::Name::Fx] * normal(engine);
+      reading[column_Fy] += experiment.noise[Channel::Name::Fy] * normal(engine);
+      for (std::size_t c = column_q; c < reading.value.size(); ++c)
+        reading.value[c] += experiment.noise[Channel::Name::q] * normal(engine);
     }
   return experiment;
 }
@@ -51,7 +52,7 @@ JointTorqueLaw law_of(const std::vector<std::size_t>& joints, double stiffness,
 double torque_of_one_reading(const Experiment& experiment, std::size_t joint) {
   const double reach = experiment.link_length[0] + experiment.link_length[1] + experiment.link_length[2];
   return 5 *
-         std::hypot(experiment.joint_stiffness[joint - 1] * experiment.noise.q, reach * experiment.noise.Fx);
+         std::hypot(experiment.joint_stiffness[joint - 1] * experiment.noise[Channel::Name::q], reach * experiment.noise[Channel::Name::Fx]);
 }
 
 /// What joints carry along the runs with what was found, beside what they carried.

@@ -31,10 +31,10 @@ std::vector<MatrixXd> covariances(const Experiment& experiment, std::size_t bloc
 /// A press there and back from rest.
 Experiment one_press() {
   Experiment experiment = three_links();
-  experiment.noise.q = 0;
+  experiment.noise[Channel::Name::q] = 0;
   press(experiment, {0.3, -0.5, 0.4}, {-0.06, 0}, 20, true);
   for (Run& run : experiment.runs)
-    for (Reading& reading : run.readings) reading.q.clear();
+    for (Reading& reading : run.readings) reading.value.resize(column_q);
   return experiment;
 }
 
@@ -85,12 +85,12 @@ TEST_CASE("the same command on the way there and back shares less than neighbour
 TEST_CASE("a discrepancy does not depend on units, on the order of the runs, or on the channel") {
   Experiment experiment = one_press();
   press(experiment, {0.2, -0.5, 0.4}, {-0.03, 0.02}, 15, false);
-  for (Reading& reading : experiment.runs[1].readings) reading.q.clear();
+  for (Reading& reading : experiment.runs[1].readings) reading.value.resize(column_q);
   const std::vector<MatrixXd> all = covariances(experiment), other = covariances(experiment, 1);
   Experiment larger = experiment;
   for (double& length : larger.link_length) length *= 1000;
   for (Run& run : larger.runs)
-    for (Reading& reading : run.readings) reading.x *= 1000, reading.y *= 1000;
+    for (Reading& reading : run.readings) reading[column_x] *= 1000, reading[column_y] *= 1000;
   const std::vector<MatrixXd> in_millimetres = covariances(larger);
   Experiment turned = experiment;
   std::swap(turned.runs[0], turned.runs[1]);
@@ -111,7 +111,7 @@ TEST_CASE("runs of unlike rest shapes share little, and runs of another control 
     Experiment experiment = one_press();
     press(experiment, rest, {-0.06, 0}, 20, true);
     for (Run& run : experiment.runs)
-      for (Reading& reading : run.readings) reading.q.clear();
+      for (Reading& reading : run.readings) reading.value.resize(column_q);
     const MatrixXd one = covariances(experiment)[1];
     return one(15, 41 + 15) / one(15, 15);
   };

@@ -161,7 +161,7 @@ TEST_CASE(
           {there, back},
           [&] { return [&](double d) { return hinge_stiffness * d * (1 + size * d * d / 4); }; }, 7);
       // some forces were not read: the others of their block stay in its fifth
-      experiment.runs[1].readings[3].Fx = experiment.runs[1].readings[5].Fx = nan_value();
+      experiment.runs[1].readings[3][column_Fx] = experiment.runs[1].readings[5][column_Fx] = nan_value();
       const Study study(experiment);
       NoiseEstimate noise = declared_noise(study);
       noise_of(noise, {Channel::Name::Fx}).scale = 1.25;

@@ -34,7 +34,7 @@ struct Lab {
       const double way = 0.0015 * (i <= 16 ? i : 32 - i);
       const double x = 0.3 * std::cos(0.4) + 0.2 * std::cos(-0.5) - way,
                    y = 0.3 * std::sin(0.4) + 0.2 * std::sin(-0.5);
-      run.readings.push_back({static_cast<double>(i), x, y, 0, 0, {}});
+      run.readings.push_back({static_cast<double>(i), {x, y, 0, 0}});
     }
     experiment.runs = {run};
     const Trace pressed = simulate(experiment, nominal_rig(experiment), {}).runs.front();
@@ -42,8 +42,8 @@ struct Lab {
       Reading& r = run.readings[i];
       const auto row = static_cast<Eigen::Index>(i);
       // a load cell that scatters, the same at every call
-      r.Fx = pressed(row, column_of({Channel::Name::Fx})) + 0.02 * std::sin(7.1 * static_cast<double>(i * i));
-      r.Fy = pressed(row, column_of({Channel::Name::Fy})) +
+      r[column_Fx] = pressed(row, Channel(Channel::Name::Fx).column) + 0.02 * std::sin(7.1 * static_cast<double>(i * i));
+      r[column_Fy] = pressed(row, Channel(Channel::Name::Fy).column) +
              0.02 * std::sin(5.3 * static_cast<double>(i * i + 1));
     }
     readings = run.readings;
@@ -69,7 +69,7 @@ std::string written(const Lab& lab, const Writing& w) {
   for (const Reading& r : lab.readings) {
     text += number(r.t, w.decimal);
     for (const double value :
-         {(r.x + w.x0) * w.place, (r.y + w.y0) * w.place, r.Fx * w.force, r.Fy * w.force})
+         {(r[column_x] + w.x0) * w.place, (r[column_y] + w.y0) * w.place, r[column_Fx] * w.force, r[column_Fy] * w.force})
       text += w.between + number(value, w.decimal);
     text += "\n";
   }
@@ -95,10 +95,10 @@ void check_read(const Lab& lab, const Draft& draft) {
   REQUIRE(run.readings.size() == lab.readings.size());
   for (std::size_t i = 0; i < run.readings.size(); ++i) {
     // seven digits were written
-    CHECK(std::abs(run.readings[i].x - lab.readings[i].x) < 1e-6);
-    CHECK(std::abs(run.readings[i].y - lab.readings[i].y) < 1e-6);
-    CHECK(std::abs(run.readings[i].Fx - lab.readings[i].Fx) < 1e-5);
-    CHECK(std::abs(run.readings[i].Fy - lab.readings[i].Fy) < 1e-5);
+    CHECK(std::abs(run.readings[i][column_x] - lab.readings[i][column_x]) < 1e-6);
+    CHECK(std::abs(run.readings[i][column_y] - lab.readings[i][column_y]) < 1e-6);
+    CHECK(std::abs(run.readings[i][column_Fx] - lab.readings[i][column_Fx]) < 1e-5);
+    CHECK(std::abs(run.readings[i][column_Fy] - lab.readings[i][column_Fy]) < 1e-5);
   }
 }
 
@@ -159,7 +159,7 @@ TEST_CASE("runs in one table are cut apart by the column that names them") {
   std::string text = "trial,t,x,y,Fx,Fy\n";
   for (const char* trial : {"a", "b"})
     for (const Reading& r : lab.readings)
-      text += fmt::format("{},{},{:.7g},{:.7g},{:.7g},{:.7g}\n", trial, r.t, r.x, r.y, r.Fx, r.Fy);
+      text += fmt::format("{},{},{:.7g},{:.7g},{:.7g},{:.7g}\n", trial, r.t, r[column_x], r[column_y], r[column_Fx], r[column_Fy]);
   const Draft draft = draft_experiment("press", model_of(lab), {{"all.csv", text}});
   CHECK(draft.tables.size() == 2);
   CHECK(read(draft).runs.size() == 2);
@@ -178,7 +178,7 @@ TEST_CASE("an arm that is held by its servos: each command a run, whose rest it 
   REQUIRE(experiment.runs.size() == 3);
   CHECK_FALSE(experiment.runs[0].holds_end_point());
   CHECK(experiment.runs[1].rest[0] == close_to(50 * std::numbers::pi / 180));
-  CHECK(experiment.runs[1].readings[0].q[1] == close_to(9.6 * std::numbers::pi / 180));
+  CHECK(experiment.runs[1].readings[0][column_q + 1] == close_to(9.6 * std::numbers::pi / 180));
 }
 
 TEST_CASE("a person who is asked is heard") {

@@ -117,8 +117,8 @@ TEST_CASE("a tension beside joint angles is a load along the chain, its radii le
   CHECK_FALSE(experiment.runs[0].holds_end_point());
   CHECK(experiment.runs[0].by_weights);
   CHECK(experiment.runs[0].readings[6].covariates == std::vector{5.0});
-  CHECK(experiment.runs[0].readings[6].Fx == 0);
-  CHECK(experiment.noise.q > 0);
+  CHECK(experiment.runs[0].readings[6][column_Fx] == 0);
+  CHECK(experiment.noise[Channel::Name::q] > 0);
 }
 
 TEST_CASE("moment arms that nobody has filled in are one line of error, which names the key") {
@@ -238,7 +238,7 @@ TEST_CASE("beside a force on the end point a pressure is a covariate, and the dr
   CHECK(experiment.loads.empty());
   CHECK(experiment.covariates == std::vector<std::string>{"pressure"});
   CHECK(experiment.runs[0].readings[6].covariates[0] == close_to(30));
-  CHECK(experiment.runs[0].readings[12].Fx == close_to(held(1)[2]));
+  CHECK(experiment.runs[0].readings[12][column_Fx] == close_to(held(1)[2]));
 }
 
 TEST_CASE("beside a torque, or commands of the joints, a tension is a covariate") {

@@ -50,8 +50,8 @@ void check_as_plain(const Draft& draft) {
     REQUIRE(drafted.runs[r].readings.size() == plain.runs[r].readings.size());
     for (std::size_t i = 0; i < plain.runs[r].readings.size(); ++i) {
       const Reading &a = drafted.runs[r].readings[i], &b = plain.runs[r].readings[i];
-      CHECK(std::abs(a.x - b.x) + std::abs(a.y - b.y) < 1e-12);
-      CHECK(std::abs(a.Fx - b.Fx) + std::abs(a.Fy - b.Fy) < 1e-12);
+      CHECK(std::abs(a[column_x] - b[column_x]) + std::abs(a[column_y] - b[column_y]) < 1e-12);
+      CHECK(std::abs(a[column_Fx] - b[column_Fx]) + std::abs(a[column_Fy] - b[column_Fy]) < 1e-12);
     }
   }
 }

@@ -129,7 +129,7 @@ inline Experiment read_with_noise(Experiment experiment, const Prediction& true_
     for (std::size_t i = 0; i < experiment.runs[r].readings.size(); ++i)
       for (const diagnose::Channel& channel : experiment.runs[r].measured())
         channel.in(experiment.runs[r].readings[i]) =
-            true_runs.runs[r](static_cast<Eigen::Index>(i), column_of(channel)) +
+            true_runs.runs[r](static_cast<Eigen::Index>(i), channel.column) +
             channel.sigma(experiment.noise) * normal(engine);
   return experiment;
 }

@@ -44,12 +44,12 @@ std::vector<double> elements_of(std::size_t count) {
 /// Pressed in far and let back, twice, in fine steps, with a fine load cell.
 Experiment fine_bench() {
   Experiment experiment = test::three_links();
-  experiment.noise.Fx = experiment.noise.Fy = 1e-3;
-  experiment.noise.q = 0;
+  experiment.noise[Channel::Name::Fx] = experiment.noise[Channel::Name::Fy] = 1e-3;
+  experiment.noise[Channel::Name::q] = 0;
   test::press(experiment, {0.3, -0.5, 0.4}, {-0.08, 0}, 60, true);
   test::press(experiment, {-0.4, 0.3, 0.5}, {-0.06, 0.05}, 60, true);
   for (Run& run : experiment.runs)
-    for (Reading& reading : run.readings) reading.q.clear();
+    for (Reading& reading : run.readings) reading.value.resize(column_q);
   return experiment;
 }
 

@@ -183,7 +183,7 @@ TEST_CASE("the command of a run: how far it has gone, along where it goes farthe
   Run run{"press", Control::end_point, {0}, {}};
   for (const auto& [x, y] :
        {std::pair(1.0, 1.0), std::pair(0.7, 0.6), std::pair(0.4, 0.2), std::pair(1.3, 0.6)})
-    run.readings.push_back({0, x, y, 0, 2 * y, {0}});
+    run.readings.push_back({0, chain_values(x, y, 0, 2 * y, {0})});
   const Command command = command_of(run);
   CHECK(command.farthest == 2);
   CHECK(command.label == "end point moved along (−0.60, −0.80), m");
@@ -195,9 +195,9 @@ TEST_CASE("the command of a run: how far it has gone, along where it goes farthe
   std::reverse(run.readings.begin(), run.readings.end());
   run.readings.erase(run.readings.begin());
   CHECK(command_of(run).label == "force added along +y, N");
-  for (Reading& r : run.readings) std::swap(r.Fx, r.Fy);
+  for (Reading& r : run.readings) std::swap(r[column_Fx], r[column_Fy]);
   CHECK(command_of(run).label == "force added along +x, N");
-  for (Reading& r : run.readings) r.Fx = -r.Fx;
+  for (Reading& r : run.readings) r[column_Fx] = -r[column_Fx];
   CHECK(command_of(run).label == "force added along −x, N");
   run.readings.resize(1);
   CHECK(command_of(run).along == std::vector<double>{0});

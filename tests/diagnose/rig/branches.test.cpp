@@ -44,7 +44,7 @@ TEST_CASE("a straight column buckles to the branch of its readings") {
     CHECK_FALSE(Study(read).nominal().reached);
     const Study study(on_observed_branches(Study(read)));
     REQUIRE(study.nominal().reached);
-    CHECK(std::signbit(beside(study)) == std::signbit(read.runs[0].readings.back().y));
+    CHECK(std::signbit(beside(study)) == std::signbit(read.runs[0].readings.back()[column_y]));
     CHECK(std::abs(beside(study)) > 0.3);
     REQUIRE(study.experiment().runs[0].branch);
     // The nominal model of the bent chain is on the branch of the readings.
@@ -88,7 +88,7 @@ TEST_CASE("a softer straight column without imperfection follows the branch of t
   const Study study(on_observed_branches(Study(read)));
   const Prediction without = predict(study, softer, {-0.3});
   REQUIRE(without.reached);
-  CHECK(without.runs[0](30, column_y) == doctest::Approx(read.runs[0].readings.back().y).epsilon(0.02));
+  CHECK(without.runs[0](30, column_y) == doctest::Approx(read.runs[0].readings.back()[column_y]).epsilon(0.02));
 }
 
 TEST_CASE("a column held by friction between its branches stays there") {
@@ -96,7 +96,7 @@ TEST_CASE("a column held by friction between its branches stays there") {
   std::vector<double> values{0.01};
   for (const double off : leaning(-1)) values.push_back(off);
   const Experiment read = measured(column(), truth, values, 8);
-  REQUIRE(std::abs(read.runs[0].readings.back().y) < 0.01);
+  REQUIRE(std::abs(read.runs[0].readings.back()[column_y]) < 0.01);
   const Study by_itself(read), study(on_observed_branches(Study(read)));
   REQUIRE(study.experiment().runs[0].branch);
   const double expected = mean_square(by_itself, predict(by_itself, truth, values));
@@ -124,11 +124,11 @@ TEST_CASE("a nearly symmetric chain on the other branch shows no gap there") {
   Experiment there = experiment;
   for (Run& run : there.runs)
     for (std::size_t i = 0; i < run.readings.size(); ++i)
-      for (std::size_t j = 0; j < run.readings[i].q.size(); ++j)
-        run.readings[i].q[j] = angle(across.runs[0], static_cast<Eigen::Index>(i), j);
+      for (std::size_t j = 0; j < run.rest.size(); ++j)
+        run.readings[i][column_q + j] = angle(across.runs[0], static_cast<Eigen::Index>(i), j);
   for (std::size_t i = 0; i < there.runs[0].readings.size(); ++i) {
-    there.runs[0].readings[i].Fx = across.runs[0](static_cast<Eigen::Index>(i), column_Fx);
-    there.runs[0].readings[i].Fy = across.runs[0](static_cast<Eigen::Index>(i), column_Fy);
+    there.runs[0].readings[i][column_Fx] = across.runs[0](static_cast<Eigen::Index>(i), column_Fx);
+    there.runs[0].readings[i][column_Fy] = across.runs[0](static_cast<Eigen::Index>(i), column_Fy);
   }
   const Study found(on_observed_branches(Study(there)));
   REQUIRE(found.experiment().runs[0].branch);

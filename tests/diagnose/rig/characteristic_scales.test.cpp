@@ -22,7 +22,7 @@ Experiment ten_readings() {
   experiment.link_mass = {0, 0};
   Run run{"press", Control::end_point, {0.2, 0}, {}};
   for (int i = 0; i < 10; ++i)
-    run.readings.push_back({0.5 * i * i + i, 0.7 - 0.01 * i, 0.1, -1.0 - i, nan_value(), {}});
+    run.readings.push_back({0.5 * i * i + i, {0.7 - 0.01 * i, 0.1, -1.0 - i}});
   experiment.runs.push_back(run);
   return experiment;
 }
@@ -60,9 +60,9 @@ TEST_CASE("the characteristic scales of an experiment, by hand") {
 TEST_CASE("several runs: the longest duration, the shortest interval, all measured channels") {
   Experiment experiment = ten_readings();
   Run other = experiment.runs[0];
-  for (Reading& r : other.readings) r.t *= 0.25, r.Fy = 0.5, r.q = {0.1, 0.2};
+  for (Reading& r : other.readings) r.t *= 0.25, r[column_Fy] = 0.5, r.value.resize(column_q), r.value.insert(r.value.end(), {0.1, 0.2});
   other.rest = {0, 0.1};
-  other.readings[9].x = 0.9;
+  other.readings[9][column_x] = 0.9;
   experiment.runs.push_back(other);
   const CharacteristicScales size = characteristic_scales(experiment);
   CHECK(size.duration == 49.5);
@@ -108,24 +108,24 @@ TEST_CASE("only measured forces count: weights read none, an imposed force is no
 
 TEST_CASE("readings within five sigmas of the largest force, of either sign, are a plateau") {
   Experiment experiment = ten_readings();
-  experiment.noise.Fx = 0.1, experiment.noise.Fy = 0.2;
+  experiment.noise[Channel::Name::Fx] = 0.1, experiment.noise[Channel::Name::Fy] = 0.2;
   std::vector<Reading>& readings = experiment.runs[0].readings;
-  readings[0].Fx = 9.51, readings[1].Fx = -9.49;  // 4.9 and 5.1 sigmas away
-  readings[2].Fy = -9.01, readings[3].Fy = 8.99;
+  readings[0][column_Fx] = 9.51, readings[1][column_Fx] = -9.49;  // 4.9 and 5.1 sigmas away
+  readings[2][column_Fy] = -9.01, readings[3][column_Fy] = 8.99;
   CHECK(characteristic_scales(experiment).at_largest == 3);
 }
 
 TEST_CASE("scales stay positive without forces, time or stiffness") {
   Experiment experiment = ten_readings();
-  for (Reading& r : experiment.runs[0].readings) r.Fx = 0, r.t = 0;
+  for (Reading& r : experiment.runs[0].readings) r[column_Fx] = 0, r.t = 0;
   CharacteristicScales size = characteristic_scales(experiment);
   CHECK(size.force == close_to(0.1 * 3 / 0.8));
   CHECK(size.deflection == close_to(0.03));
   CHECK(size.duration == 1e-3);
   CHECK(size.sampling_interval == 1e-3);
   CHECK(size.at_largest == 0);
-  experiment.runs[0].readings[0].Fx = 1e3;
-  experiment.runs[0].readings[1].Fx = 1e3;
+  experiment.runs[0].readings[0][column_Fx] = 1e3;
+  experiment.runs[0].readings[1][column_Fx] = 1e3;
   size = characteristic_scales(experiment);
   CHECK(size.deflection == 1);
   experiment.bench.plane = Bench::Plane::horizontal;
@@ -154,7 +154,7 @@ TEST_CASE("the excitation of the nominal joints: the largest of each, by hand") 
 
 TEST_CASE("a run: reversals of its command, and a clock that only counts") {
   Run run{"press", Control::end_point, {0}, {}};
-  const auto at = [&](double t, double x, double y) { run.readings.push_back({t, x, y, 0, 0, {0}}); };
+  const auto at = [&](double t, double x, double y) { run.readings.push_back({t, chain_values(x, y, 0, 0, {0})}); };
   at(0, 0, 0), at(1, 1, 0), at(2, 2, 0.1), at(3, 2, 0.1), at(4, 1.5, 0.1), at(5, nan_value(), 0), at(6, 1, 0),
       at(7, 1, 1), at(8, 1.2, 0.5);
   CHECK(run.turning_points() ==
@@ -166,13 +166,13 @@ TEST_CASE("a run: reversals of its command, and a clock that only counts") {
   run.control = Control::force;
   CHECK_FALSE(run.turns_back());
   CHECK(run.command(run.readings[7]) == Eigen::Vector2d(0, 0));
-  CHECK(run.imposed()[0] == Channel{Channel::Name::Fx});
-  CHECK(run.imposed()[1] == Channel{Channel::Name::Fy});
+  CHECK(run.imposed()[0] == Channel(Channel::Name::Fx));
+  CHECK(run.imposed()[1] == Channel(Channel::Name::Fy));
   const std::vector<Channel> measured = run.measured();
   REQUIRE(measured.size() == 3);
-  CHECK(measured[0] == Channel{Channel::Name::x});
-  CHECK(measured[1] == Channel{Channel::Name::y});
-  CHECK(measured[2] == Channel{Channel::Name::q, 0});
+  CHECK(measured[0] == Channel(Channel::Name::x));
+  CHECK(measured[1] == Channel(Channel::Name::y));
+  CHECK(measured[2] == Channel(Channel::Name::q, 0));
   // The median of m normal values has the variance pi / 2 m.
   CHECK(run.noise_of_group() == 1);
   run.groups.size = 8;
@@ -184,7 +184,7 @@ TEST_CASE("a run: reversals of its command, and a clock that only counts") {
 }
 
 TEST_CASE("a channel: its label, unit, sensor, noise and place in a reading") {
-  Reading reading{1, 2, 3, 4, 5, {6, 7}};
+  Reading reading{1, chain_values(2, 3, 4, 5, {6, 7})};
   const Noise noise{0.1, 0.2, 0.3, 0.4, 0.5};
   struct Row {
     Channel channel;
@@ -208,6 +208,6 @@ TEST_CASE("a channel: its label, unit, sensor, noise and place in a reading") {
     CHECK(row.channel.of(reading) == 9);
   }
   CHECK(label(Name::q) == "q");
-  CHECK(Channel{Name::Fx} < Channel{Name::Fy});
-  CHECK(Channel{Name::q, 1} < Channel{Name::x});
+  CHECK(Channel(Name::Fx) < Channel(Name::Fy));
+  CHECK(Channel(Name::q, 1) < Channel(Name::x));
 }

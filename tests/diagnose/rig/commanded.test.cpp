@@ -23,8 +23,7 @@ constexpr double as_near = 1e-9;
 Run commanded_run(const std::vector<std::vector<double>>& commands) {
   Run run{"sweep", Control::force, commands.front(), {}};
   for (std::size_t i = 0; i < commands.size(); ++i)
-    run.readings.push_back({static_cast<double>(i), nan_value(), nan_value(), 0, 0,
-                            std::vector<double>(commands[i].size(), nan_value()), commands[i]});
+    run.readings.push_back({static_cast<double>(i), {nan_value(), nan_value(), 0, 0}, commands[i]});
   run.by_weights = true;
   return run;
 }
@@ -37,7 +36,7 @@ Experiment swept_joint(double first = 0) {
   experiment.joint_stiffness = {20};
   experiment.link_mass = {0};
   experiment.gravity = {0, 0};
-  experiment.noise.q = 1e-3;
+  experiment.noise[Channel::Name::q] = 1e-3;
   std::vector<std::vector<double>> commands;
   for (int i = 0; i <= 24; ++i) commands.push_back({first + 0.05 * (12 - std::abs(12 - i))});
   experiment.runs = {commanded_run(commands)};

@@ -85,8 +85,8 @@ TEST_CASE("cross-talk acts on readings and on imposed forces") {
   Experiment turned = experiment;
   const double determinant = 1 + 0.05 * 0.02;
   for (Reading& one : turned.runs[0].readings) {
-    one.Fx = (-1 - 0.05 * 0.5) / determinant;
-    one.Fy = (0.5 + 0.02 * -1) / determinant;
+    one[column_Fx] = (-1 - 0.05 * 0.5) / determinant;
+    one[column_Fy] = (0.5 + 0.02 * -1) / determinant;
   }
   const auto q = [](const Prediction& of) { return of.runs[0].rightCols(3); };
   CHECK(difference(q(predicted(experiment, only("cross_talk"), {0.05, -0.02})),
@@ -107,7 +107,7 @@ TEST_CASE("a nonlinear cell reads F + c F^2 of each component, also under a serv
   experiment.runs.clear();
   load(experiment, {0.2, 0.3, -0.3}, {-0.9375, 0.525}, {-0.9375, 0.525}, 1);
   Experiment bent = experiment;
-  for (Reading& one : bent.runs[0].readings) one.Fx = -1.25, one.Fy = 0.75;
+  for (Reading& one : bent.runs[0].readings) one[column_Fx] = -1.25, one[column_Fy] = 0.75;
   const auto q = [](const Prediction& of) { return of.runs[0].rightCols(3); };
   CHECK(difference(q(predicted(experiment, only("cell_curvature"), {0.2, -0.4})),
                    q(predicted(bent, {}, {}))) < 1e-9);
@@ -180,7 +180,7 @@ TEST_CASE("effects that one run, one component or a counted clock cannot show ar
   CHECK_FALSE(offered(one, "run_rest"));
   Experiment along = experiment;
   for (Run& run : along.runs)
-    for (Reading& reading : run.readings) reading.Fy = nan_value();
+    for (Reading& reading : run.readings) reading[column_Fy] = nan_value();
   CHECK_FALSE(offered(along, "cross_talk"));
   Experiment forth = experiment;
   forth.runs.erase(forth.runs.begin(), forth.runs.begin() + 2);

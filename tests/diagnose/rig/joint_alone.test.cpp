@@ -30,25 +30,23 @@ Experiment joint_alone(Control control, double stiffness, double most) {
   experiment.link_mass = {0};
   experiment.gravity = {0, 0};
   experiment.bench = {Bench::Plane::horizontal, {0, 0}, false};
-  experiment.noise = {1e-4, 0, 1e-3, 0, 0};
+  experiment.noise[Channel::Name::angle] = 1e-4;
+  experiment.noise[Channel::Name::torque] = 1e-3;
   Run run{"loop", control, {0.05}, {}};
   run.alone = Alone::turns;
   for (int i = 0; i <= 40; ++i) {
     const double at = most * std::sin(2 * M_PI * i / 40);
     const double there = control == Control::end_point ? 0.05 + at : at;
     run.readings.push_back({0.5 * i,
-                            control == Control::end_point ? there : nan_value(),
-                            0,
-                            control == Control::end_point ? nan_value() : there,
-                            0,
-                            {}});
+                            {control == Control::end_point ? there : nan_value(), 0,
+                             control == Control::end_point ? nan_value() : there, 0}});
   }
   experiment.runs = {run};
   return experiment;
 }
 
 double shown(const Prediction& predicted, Eigen::Index reading, Channel::Name name) {
-  return predicted.runs[0](reading, column_of({name}));
+  return predicted.runs[0](reading, Channel(name).column);
 }
 
 using ChannelName = Channel::Name;
@@ -78,7 +76,7 @@ TEST_CASE("an imposed torque gives the angle at which it is measured") {
     RC_ASSERT(torque.reached);
     Experiment loaded = joint_alone(Control::force, k, 0);
     for (std::size_t i = 0; i < 41; ++i)
-      loaded.runs[0].readings[i].Fx = shown(torque, static_cast<Eigen::Index>(i), ChannelName::torque);
+      loaded.runs[0].readings[i][column_Fx] = shown(torque, static_cast<Eigen::Index>(i), ChannelName::torque);
     const Prediction angle = simulate(loaded, rig, {});
     RC_ASSERT(angle.reached);
     // Friction that sticks gives by 1e-5 of its deflection at the slip torque, 0.02 share; where the angle
@@ -168,17 +166,17 @@ TEST_CASE("at a joint that slides every unit of turning is one of sliding") {
 
 TEST_CASE("noise of the imposed channel reaches the measured one through the spring") {
   Experiment held = joint_alone(Control::end_point, 10, 0.4);
-  for (Reading& one : held.runs[0].readings) one.Fx = 10 * (one.x - 0.05);
+  for (Reading& one : held.runs[0].readings) one[column_Fx] = 10 * (one[column_x] - 0.05);
   CHECK(Study(held).measurements().sigma()(0) == doctest::Approx(std::hypot(1e-3, 10 * 1e-4)));
   Experiment loaded = joint_alone(Control::force, 10, 0.4);
-  for (Reading& one : loaded.runs[0].readings) one.x = 0.05 + one.Fx / 10;
+  for (Reading& one : loaded.runs[0].readings) one[column_x] = 0.05 + one[column_Fx] / 10;
   CHECK(Study(loaded).measurements().sigma()(0) == doctest::Approx(std::hypot(1e-4, 1e-3 / 10)));
 }
 
 TEST_CASE("ranges of angles follow joints that hardly turn") {
   // The torque of 0.3 mrad turns by 0.09 mrad, which counts as 0.1 mrad: a hundredth of 0.01 rad.
   Experiment read = joint_alone(Control::end_point, 2.2, 3e-4);
-  for (Reading& one : read.runs[0].readings) one.Fx = 2.2 * (one.x - 0.05);
+  for (Reading& one : read.runs[0].readings) one[column_Fx] = 2.2 * (one[column_x] - 0.05);
   const std::vector<ParameterRange> ranges = Study(read).ranges({"rest_angle", 1});
   CHECK(ranges[0].high == doctest::Approx(0.6 * 0.01));
   CHECK(ranges[0].scale == doctest::Approx(0.05 * 0.01));

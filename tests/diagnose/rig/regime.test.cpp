@@ -12,7 +12,7 @@ std::pair<Run, Trace> along_x(const std::vector<double>& x) {
   Run run{"run", Control::end_point, {0}, {}};
   Trace trace = Trace::Zero(static_cast<Eigen::Index>(x.size()), 5);
   for (std::size_t i = 0; i < x.size(); ++i) {
-    run.readings.push_back({2.0 * static_cast<double>(i), x[i], 0, 0, 0, {}});
+    run.readings.push_back({2.0 * static_cast<double>(i), {x[i], 0, 0, 0}});
     trace(static_cast<Eigen::Index>(i), column_x) = trace(static_cast<Eigen::Index>(i), column_Fx) = x[i];
   }
   return {run, trace};

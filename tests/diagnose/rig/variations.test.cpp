@@ -71,7 +71,7 @@ TEST_CASE("a reading without a command is skipped, and the next continues from t
   Experiment experiment = short_press();
   const Rig nominal = Study(experiment).nominal_rig();
   const Prediction whole = simulate(experiment, nominal, {});
-  experiment.runs[0].readings[3].x = std::nan("");
+  experiment.runs[0].readings[3][column_x] = std::nan("");
   Rig stiffer = nominal;
   stiffer.stiffness[0] += 1e-6;
   const Prediction holed = simulate(experiment, nominal, {{stiffer, 1e-6}});

@@ -34,23 +34,23 @@ TEST_CASE("every anomaly is reported with its run") {
   std::vector<Reading>* press = &experiment.runs[0].readings;
   const auto again = [&] { experiment = ordinary, press = &experiment.runs[0].readings; };
 
-  (*press)[0].Fx = 2;  // the noise is 0.01 N
+  (*press)[0][column_Fx] = 2;  // the noise is 0.01 N
   CHECK(remarks(experiment, "run press-1: Fx is 2 N at the unloaded end point"));
   again();
-  (*press)[7].Fy += 5;
+  (*press)[7][column_Fy] += 5;
   CHECK(remarks(experiment, "run press-1: Fy has a lone spike of"));
   CHECK(remarks(experiment, "N in reading 8"));
   again();
-  for (Reading& reading : *press) reading.q[1] = 0.25;
+  for (Reading& reading : *press) reading[column_q + 1] = 0.25;
   CHECK(remarks(experiment, "run press-1: q2 is constant at 0.25 rad"));
   again();
   for (std::size_t i = 10; i < press->size(); ++i) (*press)[i].t += 100;
   CHECK(remarks(experiment, "run press-1: a pause of 102 s after reading 10; 2 s is usual"));
   again();
-  for (Reading& reading : *press) reading.x += 0.1;
+  for (Reading& reading : *press) reading[column_x] += 0.1;
   CHECK(remarks(experiment, "run press-1: starts 0.1 m from the unloaded end point"));
   again();
-  for (std::size_t i = 0; i < 30; ++i) (*press)[i].Fx = nan_value();
+  for (std::size_t i = 0; i < 30; ++i) (*press)[i][column_Fx] = nan_value();
   CHECK(remarks(experiment, "run press-1: Fx is missing in 30 of 41 readings"));
   again();
   for (std::size_t i = 0; i < press->size(); ++i) (*press)[i].t = static_cast<double>(i);
@@ -60,7 +60,7 @@ TEST_CASE("every anomaly is reported with its run") {
   experiment.runs.back().id = "copy";
   CHECK(remarks(experiment, "run copy: repeats the readings of run press-1"));
   again();
-  for (std::size_t i = 0; i < press->size(); ++i) (*press)[i].Fy = 0.1 * static_cast<double>(i);
+  for (std::size_t i = 0; i < press->size(); ++i) (*press)[i][column_Fy] = 0.1 * static_cast<double>(i);
   CHECK(remarks(experiment, "run press-1: Fy has a noise of"));
 }
 
@@ -74,7 +74,7 @@ Experiment quiet_run() {
   Run run{"a", plumbline::Control::end_point, {0, 0, 0}, {}};
   for (int i = 0; i < 12; ++i) {
     const double up = i % 2 == 0 ? 1 : -1;
-    run.readings.push_back({2.0 * i, 0.6, 0, 0.01 * up, 0.01 * up, {1e-3 * up, 1e-3 * up, 1e-3 * up}});
+    run.readings.push_back({2.0 * i, chain_values(0.6, 0, 0.01 * up, 0.01 * up, {1e-3 * up, 1e-3 * up, 1e-3 * up})});
   }
   experiment.runs.push_back(run);
   return experiment;
@@ -106,7 +106,7 @@ TEST_CASE("thresholds of anomalies: pauses, missing values, starts and forces, f
 
   const auto missing = [](std::size_t count) {
     return remarked([&](Readings& all) {
-      for (std::size_t i = 0; i < count; ++i) all[i].Fy = nan_value();
+      for (std::size_t i = 0; i < count; ++i) all[i][column_Fy] = nan_value();
     });
   };
   CHECK(missing(6) == nothing);
@@ -121,7 +121,7 @@ TEST_CASE("thresholds of anomalies: pauses, missing values, starts and forces, f
   CHECK(start(0.0301, 0) == Remarks{"run a: starts 0.0301 m from the unloaded end point (0.6, 0) m"});
 
   const auto force = [](double Fx, double Fy, double away) {
-    return remarked([&](Readings& all) { all[0].Fx = Fx, all[0].Fy = Fy, all[0].x -= away; });
+    return remarked([&](Readings& all) { all[0][column_Fx] = Fx, all[0][column_Fy] = Fy, all[0].x -= away; });
   };
   CHECK(force(0.199, -0.199, 0) == nothing);
   CHECK(force(-0.201, 0, 0) == Remarks{"run a: Fx is -0.201 N at the unloaded end point: a tare, a weight?"});
@@ -134,7 +134,7 @@ TEST_CASE("a channel that is constant, has too little noise or a lone spike, fro
   const auto nothing = Remarks{};
   const auto still = [](std::size_t values) {
     return remarked([&](Readings& all) {
-      for (std::size_t i = 0; i < all.size(); ++i) all[i].Fx = i < values ? 0.125 : nan_value();
+      for (std::size_t i = 0; i < all.size(); ++i) all[i][column_Fx] = i < values ? 0.125 : nan_value();
     });
   };
   CHECK(still(12) == Remarks{"run a: Fx is constant at 0.125 N"});
@@ -144,7 +144,7 @@ TEST_CASE("a channel that is constant, has too little noise or a lone spike, fro
   // fifth of the declared 0.01 N it is too little.
   const auto scatter = [](double a) {
     return remarked([&](Readings& all) {
-      for (std::size_t i = 0; i < all.size(); ++i) all[i].Fx = i % 2 == 0 ? a : -a;
+      for (std::size_t i = 0; i < all.size(); ++i) all[i][column_Fx] = i % 2 == 0 ? a : -a;
     });
   };
   CHECK(scatter(8.27e-4) == nothing);
@@ -152,15 +152,15 @@ TEST_CASE("a channel that is constant, has too little noise or a lone spike, fro
 
   // The neighbours of reading 6 are 0.01 N; both sides of it by 0.02.
   const auto jump = [](std::size_t reading, double by) {
-    return remarked([&](Readings& all) { all[reading - 1].Fy += by; });
+    return remarked([&](Readings& all) { all[reading - 1][column_Fy] += by; });
   };
   CHECK(jump(6, -0.17) == nothing);  // to -0.18, 0.19 away from its neighbours
   CHECK(jump(6, -0.191) == Remarks{"run a: Fy has a lone spike of -0.201 N in reading 6"});
   CHECK(jump(2, -0.191) == Remarks{"run a: Fy has a lone spike of -0.201 N in reading 2"});
   CHECK(jump(11, 0.5) == Remarks{"run a: Fy has a lone spike of 0.51 N in reading 11"});
-  CHECK(remarked([](Readings& all) { all[5].Fy = all[6].Fy = 1; }) == nothing);  // two are no jump
+  CHECK(remarked([](Readings& all) { all[5][column_Fy] = all[6][column_Fy] = 1; }) == nothing);  // two are no jump
   CHECK(remarked([](Readings& all) {
-          all[3].Fy = nan_value();  // readings keep their numbers
-          all[6].Fy += 0.5;
+          all[3][column_Fy] = nan_value();  // readings keep their numbers
+          all[6][column_Fy] += 0.5;
         }) == Remarks{"run a: Fy has a lone spike of 0.51 N in reading 7"});
 }

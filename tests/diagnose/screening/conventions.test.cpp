@@ -25,7 +25,7 @@ using namespace plumbline::diagnose::test;
 namespace {
 
 Spoil forces_over(double unit) {
-  return each_reading([unit](Reading& r) { r.Fx /= unit, r.Fy /= unit; });
+  return each_reading([unit](Reading& r) { r[column_Fx] /= unit, r[column_Fy] /= unit; });
 }
 
 std::vector<std::string> names(const SuspectedConvention& suspected) {
@@ -50,10 +50,10 @@ TEST_CASE("a wrong unit, sign, axis or order is named where there is a gap") {
       {"Fx, Fy like kN", forces_over(1e3)},
       {"Fx, Fy like mN", forces_over(1e-3)},
       {"Fx, Fy like forces of the opposite sign", forces_over(-1)},
-      {"Fx, Fy like forces with x mirrored", each_reading([](Reading& r) { r.Fx = -r.Fx; })},
-      {"Fx, Fy like forces with y mirrored", each_reading([](Reading& r) { r.Fy = -r.Fy; })},
-      {"Fx, Fy like forces with x and y swapped", each_reading([](Reading& r) { std::swap(r.Fx, r.Fy); })},
-      {"x, y, Fx, Fy like axes with y mirrored", each_reading([](Reading& r) { r.y = -r.y, r.Fy = -r.Fy; })},
+      {"Fx, Fy like forces with x mirrored", each_reading([](Reading& r) { r[column_Fx] = -r[column_Fx]; })},
+      {"Fx, Fy like forces with y mirrored", each_reading([](Reading& r) { r[column_Fy] = -r[column_Fy]; })},
+      {"Fx, Fy like forces with x and y swapped", each_reading([](Reading& r) { std::swap(r[column_Fx], r[column_Fy]); })},
+      {"x, y, Fx, Fy like axes with y mirrored", each_reading([](Reading& r) { r[column_y] = -r[column_y], r[column_Fy] = -r[column_Fy]; })},
       {"joint_stiffness like N mm/rad",
        [](Experiment& e) {
          for (double& k : e.joint_stiffness) k *= 1e3;
@@ -74,7 +74,7 @@ TEST_CASE("a wrong unit, sign, axis or order is named where there is a gap") {
       {"rest like angles in the reverse order",
        each_rest([](std::vector<double>& rest) { std::reverse(rest.begin(), rest.end()); })},
       {"q like angles of the opposite sign", each_reading([](Reading& r) {
-         for (double& a : r.q) a = -a;
+         for (double& a : angles_of(r)) a = -a;
        })},
   };
   REQUIRE_FALSE(suspected_convention(Study(stiffer_bench())));
@@ -95,10 +95,10 @@ TEST_CASE("axes and angles that explain the first readings are named beside any 
   // Two joints a third as stiff as believed, one that bends the chain at rest and a load cell that reads
   // half.
   const std::vector<std::pair<std::string, Spoil>> slips{
-      {"x, y, Fx, Fy like axes with y mirrored", each_reading([](Reading& r) { r.y = -r.y, r.Fy = -r.Fy; })},
-      {"x, y, Fx, Fy like axes with x mirrored", each_reading([](Reading& r) { r.x = -r.x, r.Fx = -r.Fx; })},
+      {"x, y, Fx, Fy like axes with y mirrored", each_reading([](Reading& r) { r[column_y] = -r[column_y], r[column_Fy] = -r[column_Fy]; })},
+      {"x, y, Fx, Fy like axes with x mirrored", each_reading([](Reading& r) { r[column_x] = -r[column_x], r[column_Fx] = -r[column_Fx]; })},
       {"x, y, Fx, Fy like axes with x and y swapped",
-       each_reading([](Reading& r) { std::swap(r.x, r.y), std::swap(r.Fx, r.Fy); })},
+       each_reading([](Reading& r) { std::swap(r[column_x], r[column_y]), std::swap(r[column_Fx], r[column_Fy]); })},
       {"rest like angles in the reverse order",
        each_rest([](std::vector<double>& rest) { std::reverse(rest.begin(), rest.end()); })},
   };
@@ -122,7 +122,7 @@ TEST_CASE("axes are named where only one force component is measured") {
   Experiment experiment = stiffer_bench();
   for (Run& run : experiment.runs)
     if (run.holds_end_point())
-      for (Reading& r : run.readings) r.Fx = std::exchange(r.Fy, std::numeric_limits<double>::quiet_NaN());
+      for (Reading& r : run.readings) r[column_Fx] = std::exchange(r[column_Fy], std::numeric_limits<double>::quiet_NaN());
   const auto suspected = suspected_convention(Study(experiment));
   REQUIRE(suspected);
   const std::vector<std::string> all = names(*suspected);
@@ -157,7 +157,7 @@ TEST_CASE("a factor of a thousand is named beside a gap of a quarter of the forc
 
 TEST_CASE("one run in another unit is named alone") {
   Experiment experiment = stiffer_bench();
-  for (Reading& r : experiment.runs[1].readings) r.Fx /= 9.80665, r.Fy /= 9.80665;
+  for (Reading& r : experiment.runs[1].readings) r[column_Fx] /= 9.80665, r[column_Fy] /= 9.80665;
   const auto suspected = suspected_convention(Study(experiment));
   REQUIRE(suspected);
   CHECK(suspected->runs == std::vector<std::string>{"press-2"});
@@ -175,7 +175,7 @@ TEST_CASE("a decimal point that went astray in one run is named with its factor,
     for (int run = 0; run < 2; ++run) load(lever, {0}, {0, 0}, {0, 7.5}, 30);
     Experiment read = measured(lever, {}, {}, 5);
     for (std::size_t r = from; r < 2; ++r)
-      for (Reading& reading : read.runs[r].readings) reading.Fx *= share, reading.Fy *= share;
+      for (Reading& reading : read.runs[r].readings) reading[column_Fx] *= share, reading[column_Fy] *= share;
     return suspected_convention(Study(read));
   };
   for (const auto& [share, words] : {std::pair{10.0, "numbers ten times as large"},
@@ -196,11 +196,11 @@ TEST_CASE("a decimal point that went astray in one run is named with its factor,
 TEST_CASE("nothing is asked where the answer would mend half of the gap") {
   // Degrees would make a misfit of 0.9 of the readings into one of 0.45: the model is wrong either way.
   Experiment bench = three_links();
-  bench.noise.q = 1e-3;
+  bench.noise[Channel::Name::q] = 1e-3;
   load(bench, {0.3, 0.2, 0.1}, {0, 0}, {0, 1.5}, 20);
   Experiment read = measured(bench, only("stiffness_scale"), {0.8}, 5);
   for (Reading& reading : read.runs[0].readings)
-    for (std::size_t j = 0; j < reading.q.size(); ++j) reading.q[j] = bench.runs[0].rest[j] * 20;
+    for (std::size_t j = 0; j < bench.runs[0].rest.size(); ++j) reading[column_q + j] = bench.runs[0].rest[j] * 20;
   CHECK_FALSE(suspected_convention(Study(read)));
 }
 
@@ -209,7 +209,7 @@ TEST_CASE(
   const auto asked = [](double share, std::size_t from) {
     Experiment experiment = stiffer_bench();
     for (std::size_t r = from; r < experiment.runs.size(); ++r)
-      for (Reading& reading : experiment.runs[r].readings) reading.Fx *= -share, reading.Fy *= -share;
+      for (Reading& reading : experiment.runs[r].readings) reading[column_Fx] *= -share, reading[column_Fy] *= -share;
     return suspected_convention(Study(experiment)).has_value();
   };
   CHECK(asked(1, 0));
@@ -221,7 +221,7 @@ TEST_CASE(
 TEST_CASE("a single run that looks mirrored is on its other branch") {
   Experiment experiment = measured(full_bench(), {}, {}, 5);
   const auto mirror = [](Run& run) {
-    for (Reading& reading : run.readings) reading.Fy *= -1;
+    for (Reading& reading : run.readings) reading[column_Fy] *= -1;
   };
   mirror(experiment.runs[0]);
   CHECK_FALSE(suspected_convention(Study(experiment)));
@@ -277,7 +277,7 @@ TEST_CASE("a softer first joint is not a reversed list where a run also starts e
   Experiment experiment = three_links();
   experiment.joint_stiffness = {3.6, 2.9, 2.2};
   press(experiment, {0.5, 0.4, 0.4}, {0.055, -0.05}, 15, false);
-  for (Reading& r : experiment.runs.front().readings) r.x += 0.005, r.y -= 0.005;
+  for (Reading& r : experiment.runs.front().readings) r[column_x] += 0.005, r[column_y] -= 0.005;
   check_softer_is_not_asked(experiment, {-0.4, -0.45, -0.5});
 }
 
@@ -309,7 +309,7 @@ TEST_CASE("a wholly reversed chain is named where there is a gap, and restored b
     REQUIRE(by_rest);
     CHECK(names(*by_rest).front() == "link_length, joint_stiffness, rest" + like);
 
-    each_reading([&](Reading& r) { from_end(r.q); })(listed);
+    each_reading([&](Reading& r) { each_angles(r, from_end); })(listed);
     const auto by_both = suspected_convention(Study(listed));
     REQUIRE(by_both);
     CHECK(names(*by_both).front() == "link_length, joint_stiffness, rest, q" + like);
@@ -319,7 +319,7 @@ TEST_CASE("a wholly reversed chain is named where there is a gap, and restored b
       CHECK(mended.link_length == bench.link_length);
       CHECK(mended.joint_stiffness == bench.joint_stiffness);
       CHECK(mended.runs[0].rest == bench.runs[0].rest);
-      CHECK(mended.runs[0].readings[7].q == bench.runs[0].readings[7].q);
+      CHECK(mended.runs[0].readings[7].angles(3) == bench.runs[0].readings[7].angles(3));
     }
   }
 }
@@ -394,11 +394,11 @@ TEST_CASE("impossible readings are refused with the unit that they resemble") {
     const double in_si = unit;
     CAPTURE(name);
     CHECK(
-        says(said(each_reading([in_si](Reading& r) { r.x /= in_si, r.y /= in_si; })),
+        says(said(each_reading([in_si](Reading& r) { r[column_x] /= in_si, r[column_y] /= in_si; })),
              fmt::format("; x, y look like {0}: if so, columns.x.unit and columns.y.unit = \"{0}\"", name)));
   }
   CHECK(says(said(each_reading([](Reading& r) {
-               for (double& a : r.q) a *= 57.29577951308232;
+               for (double& a : angles_of(r)) a *= 57.29577951308232;
              })),
              "; q looks like degrees: if so, columns.q.unit = \"deg\""));
 }

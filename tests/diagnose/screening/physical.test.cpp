@@ -46,23 +46,23 @@ std::string refused_bench(const Experiment& experiment) {
 
 TEST_CASE("a commanded end point lies within the reach, to a ten-thousandth of it") {
   Experiment experiment = straight_bench();
-  for (Reading& r : experiment.runs[0].readings) r.q = {};
+  for (Reading& r : experiment.runs[0].readings) r.value.resize(column_q);
   CHECK(refused(experiment) == "");
   Reading& third = experiment.runs[0].readings[2];
-  third.x = 0.36 + 0.48 / 2, third.y = 0;
-  third.x = 0.60005;
+  third[column_x] = 0.36 + 0.48 / 2, third[column_y] = 0;
+  third[column_x] = 0.60005;
   CHECK(refused(experiment) == "");
-  third.x = 0.6001;
+  third[column_x] = 0.6001;
   CHECK(refused(experiment) ==
         "run \"press-1\", reading 3: found an end point 0.6001 m from the base, expected at most the length "
         "of the chain, 0.6 m; x and y count from joint 1: where it lies elsewhere, columns.x.zero and "
         "columns.y.zero say where");
-  third.x = 0.48008, third.y = -0.36006;
+  third[column_x] = 0.48008, third[column_y] = -0.36006;
   CHECK(refused(experiment).find("reading 3: found an end point 0.6001 m") != std::string::npos);
   experiment.runs[0].control = Control::force;  // measured: up to a quarter beyond
-  third.x = 0.74, third.y = 0;
+  third[column_x] = 0.74, third[column_y] = 0;
   CHECK(refused(experiment) == "");
-  third.x = 0.76;
+  third[column_x] = 0.76;
   CHECK(refused(experiment).find("reading 3: found an end point 0.76 m") != std::string::npos);
 }
 
@@ -82,11 +82,11 @@ TEST_CASE("a rest angle of thousands of turns is refused") {
 TEST_CASE("a folded chain cannot come nearer than its longest link exceeds the others") {
   Experiment experiment = straight_bench();
   experiment.link_length = {0.40, 0.15, 0.05};
-  for (Reading& r : experiment.runs[0].readings) r.q = {};
+  for (Reading& r : experiment.runs[0].readings) r.value.resize(column_q);
   Reading& first = experiment.runs[0].readings[0];
-  first.x = 0.12, first.y = 0.16;
+  first[column_x] = 0.12, first[column_y] = 0.16;
   CHECK(refused(experiment) == "");
-  first.x = 0.119, first.y = 0.16;
+  first[column_x] = 0.119, first[column_y] = 0.16;
   CHECK(refused(experiment) ==
         "run \"press-1\", reading 1: found an end point 0.199402 m from the base, expected at least 0.2 m, "
         "what the links reach when folded; x and y count from joint 1: where it lies elsewhere, "
@@ -97,39 +97,39 @@ TEST_CASE("angles that put most end points more than a quarter of the chain away
   Experiment experiment = straight_bench();
   CHECK(refused(experiment) == "");  // all angles are zero: 0.6 m
   std::vector<Reading>& readings = experiment.runs[0].readings;
-  readings[0].q[0] = readings[1].q[0] = 2;  // of four the upper middle counts
+  readings[0][column_q + 0] = readings[1][column_q + 0] = 2;  // of four the upper middle counts
   const std::string two = refused(experiment);
   CHECK(two.find("run \"press-1\": found joint angles that put the end point ") == 0);
   CHECK(two.find(" m from where x and y say it is, expected joint angles of this chain, relative and in "
                  "radians") != std::string::npos);
-  readings[1].q[0] = 0;
+  readings[1][column_q + 0] = 0;
   CHECK(refused(experiment) == "");
   // 2 x 0.6 sin(q / 2) apart: a quarter of the chain from 0.2507 rad on, less 1 cm of press
-  for (Reading& r : readings) r.x = 0.6, r.q[0] = 0.24;
+  for (Reading& r : readings) r[column_x] = 0.6, r[column_q + 0] = 0.24;
   CHECK(refused(experiment) == "");
-  for (Reading& r : readings) r.q[0] = 0.26;
+  for (Reading& r : readings) r[column_q + 0] = 0.26;
   CHECK(refused(experiment).find("joint angles that put the end point 0.155") != std::string::npos);
 }
 
 TEST_CASE("measured channels have a noise above their rounding") {
   Experiment experiment = straight_bench();
-  experiment.noise.q = 0;
+  experiment.noise[Channel::Name::q] = 0;
   CHECK(refused(experiment) ==
         "noise.q: found 0, or nothing, expected a positive figure: run \"press-1\" measures it");
-  for (Reading& r : experiment.runs[0].readings) r.q = {nan_value(), nan_value(), nan_value()};
+  for (Reading& r : experiment.runs[0].readings) r.value.resize(column_q);
   CHECK(refused(experiment) == "");
-  experiment.noise.Fy = 0;
+  experiment.noise[Channel::Name::Fy] = 0;
   CHECK(refused(experiment) ==
         "noise.Fy: found 0, or nothing, expected a positive figure: run \"press-1\" measures it");
-  experiment.noise.Fy = 0.01;
-  experiment.noise.x = 0;  // commanded
+  experiment.noise[Channel::Name::Fy] = 0.01;
+  experiment.noise[Channel::Name::x] = 0;  // commanded
   CHECK(refused(experiment) == "");
 
   // Sizes: the reach 0.6 m, the force k / reach of the stiffest joint, 2 / 0.6 N, one radian.
   const double epsilon = std::numeric_limits<double>::epsilon();
   const auto least = [&](double Noise::*sigma, double size, const char* name) {
     Experiment one = straight_bench();
-    for (Reading& r : one.runs[0].readings) r.q = {0, 0, 0};
+    for (Reading& r : one.runs[0].readings) std::fill(r.value.begin() + column_q, r.value.end(), 0.0);
     CAPTURE(name);
     one.noise.*sigma = 1.01 * size * epsilon;
     CHECK(refused(one) == "");
@@ -141,25 +141,25 @@ TEST_CASE("measured channels have a noise above their rounding") {
   least(&Noise::x, 0.6, "x"), least(&Noise::y, 0.6, "y"), least(&Noise::q, 1, "q");
   least(&Noise::Fx, 2 / 0.6, "Fx"), least(&Noise::Fy, 2 / 0.6, "Fy");
   Experiment large = straight_bench();
-  large.runs[0].readings[1].Fx = -8, large.runs[0].readings[1].Fy = 9;
-  large.noise.Fx = 7 * epsilon;
+  large.runs[0].readings[1][column_Fx] = -8, large.runs[0].readings[1][column_Fy] = 9;
+  large.noise[Channel::Name::Fx] = 7 * epsilon;
   CHECK(refused(large).find("noise.Fx: found ") == 0);
   CHECK(refused(large).ends_with(": a reading, or the force that turns a joint by a radian, is 8"));
-  large.noise.Fx = 8.1 * epsilon, large.noise.Fy = 8.5 * epsilon;
+  large.noise[Channel::Name::Fx] = 8.1 * epsilon, large.noise[Channel::Name::Fy] = 8.5 * epsilon;
   CHECK(refused(large).find("noise.Fy: found ") == 0);
-  large.noise.Fy = 9.1 * epsilon;
+  large.noise[Channel::Name::Fy] = 9.1 * epsilon;
   CHECK(refused(large) == "");
 }
 
 TEST_CASE("at least three measured values, at most two passive joints") {
   Experiment experiment = straight_bench();
   std::vector<Reading>& readings = experiment.runs[0].readings;
-  for (Reading& r : readings) r.q = {}, r.Fx = r.Fy = nan_value();
-  readings[0].Fx = readings[2].Fy = 1;
+  for (Reading& r : readings) r.value.resize(column_q), r[column_Fx] = r[column_Fy] = nan_value();
+  readings[0][column_Fx] = readings[2][column_Fy] = 1;
   CHECK(refused(experiment) ==
         "experiment \"three links\": found 2 measured values, expected at least 3, more than an effect has "
         "parameters");
-  readings[1].Fx = 1;
+  readings[1][column_Fx] = 1;
   CHECK(refused(experiment) == "");
   experiment.joint_stiffness = {0, 0, 1};
   CHECK(refused(experiment) == "");

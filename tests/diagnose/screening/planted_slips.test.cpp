@@ -56,7 +56,7 @@ struct Tally {
 Tally plant(const Slip& slip, const std::vector<Experiment>& experiments, double& slowest) {
   Tally tally;
   for (Experiment experiment : experiments) {
-    if (slip.of_angles && experiment.runs.front().readings.front().q.empty()) continue;
+    if (slip.of_angles && !experiment.runs.front().reads_angles()) continue;
     const Experiment before = experiment;
     slip.spoil(experiment);
     if (is_no_slip(slip, before, experiment)) continue;
@@ -102,7 +102,7 @@ std::vector<Slip> slips_of_whole_chains() {
         std::reverse(list->begin(), list->end());
       each_rest(reverse)(e);
     };
-    const Spoil readings = each_reading([=](Reading& r) { reverse(r.q); });
+    const Spoil readings = each_reading([=](Reading& r) { each_angles(r, [](auto& q) { reverse(q); }); });
     const std::string like = " like " + std::string(kind) + "lists from the end point on";
     all.push_back({"link_length, joint_stiffness, rest" + like, chain});
     all.push_back({"link_length, joint_stiffness, rest, q" + like,
@@ -151,7 +151,7 @@ TEST_CASE("planted reversed lists of links raise a question where they differ, a
 
 TEST_CASE("a joint of opposite sign raises a question where it is bent, and the right one") {
   const auto turned = [](std::vector<double>& q) { q[1] *= -1; };
-  const auto turned_reading = each_reading([&](Reading& r) { turned(r.q); });
+  const auto turned_reading = each_reading([&](Reading& r) { each_angles(r, turned); });
   const std::vector<Slip> slips{{"rest of joint 2 like an angle of the opposite sign", each_rest(turned)},
                                 {"q2 like an angle of the opposite sign", turned_reading, true},
                                 {"rest of joint 2, q2 like an angle of the opposite sign",
@@ -160,8 +160,8 @@ TEST_CASE("a joint of opposite sign raises a question where it is bent, and the 
                                  [](Experiment& e) {
                                    constexpr double degree = 57.29577951308232;
                                    each_rest([](std::vector<double>& q) { scale(q, degree); })(e);
-                                   each_reading([](Reading& r) { scale(r.q, degree); })(e);
-                                   e.noise.q *= degree;
+                                   each_reading([](Reading& r) { each_angles(r, [](auto& q) { scale(q, degree); }); })(e);
+                                   e.noise[Channel::Name::q] *= degree;
                                  },
                                  true}};
   std::vector<Experiment> bent = committed_experiments();

@@ -49,22 +49,22 @@ inline std::vector<Slip> slips_of_units() {
                                  {"N that were multiplied by 9.80665 once too often", 1 / 9.80665}}) {
     const double unit = si;
     all.push_back({std::string("Fx, Fy like ") + name, [unit](Experiment& e) {
-                     each_reading([unit](Reading& r) { r.Fx /= unit, r.Fy /= unit; })(e);
-                     e.noise.Fx /= unit, e.noise.Fy /= unit;
+                     each_reading([unit](Reading& r) { r[column_Fx] /= unit, r[column_Fy] /= unit; })(e);
+                     e.noise[Channel::Name::Fx] /= unit, e.noise[Channel::Name::Fy] /= unit;
                    }});
   }
   for (const auto& [name, si] : {std::pair{"mm", 1e-3}, {"cm", 1e-2}, {"in", 0.0254}}) {
     const double unit = si;
     all.push_back({std::string("x, y like ") + name, [unit](Experiment& e) {
-                     each_reading([unit](Reading& r) { r.x /= unit, r.y /= unit; })(e);
-                     e.noise.x /= unit, e.noise.y /= unit;
+                     each_reading([unit](Reading& r) { r[column_x] /= unit, r[column_y] /= unit; })(e);
+                     e.noise[Channel::Name::x] /= unit, e.noise[Channel::Name::y] /= unit;
                    }});
     all.push_back(
         {std::string("link_length like ") + name, [unit](Experiment& e) { scale(e.link_length, 1 / unit); }});
     all.push_back({std::string("link_length, x, y like ") + name, [unit](Experiment& e) {
                      scale(e.link_length, 1 / unit);
-                     each_reading([unit](Reading& r) { r.x /= unit, r.y /= unit; })(e);
-                     e.noise.x /= unit, e.noise.y /= unit;
+                     each_reading([unit](Reading& r) { r[column_x] /= unit, r[column_y] /= unit; })(e);
+                     e.noise[Channel::Name::x] /= unit, e.noise[Channel::Name::y] /= unit;
                    }});
   }
   for (const auto& [name, si] : {std::pair{"N mm/rad", 1e-3},
@@ -79,30 +79,30 @@ inline std::vector<Slip> slips_of_units() {
                    [unit](Experiment& e) { scale(e.joint_stiffness, 1 / unit); }});
   }
   all.push_back({"rest like degrees", each_rest([](std::vector<double>& rest) { scale(rest, degree); })});
-  all.push_back({"q like degrees", each_reading([](Reading& r) { scale(r.q, degree); }), true});
+  all.push_back({"q like degrees", each_reading([](Reading& r) { each_angles(r, [](auto& q) { scale(q, degree); }); }), true});
   return all;
 }
 
 inline std::vector<Slip> slips_of_axes() {
   const auto forces = [](Experiment& e) {
-    std::swap(e.noise.Fx, e.noise.Fy);
-    each_reading([](Reading& r) { std::swap(r.Fx, r.Fy); })(e);
+    std::swap(e.noise[Channel::Name::Fx], e.noise[Channel::Name::Fy]);
+    each_reading([](Reading& r) { std::swap(r[column_Fx], r[column_Fy]); })(e);
   };
   const auto positions = [](Experiment& e) {
-    std::swap(e.noise.x, e.noise.y);
-    each_reading([](Reading& r) { std::swap(r.x, r.y); })(e);
+    std::swap(e.noise[Channel::Name::x], e.noise[Channel::Name::y]);
+    each_reading([](Reading& r) { std::swap(r[column_x], r[column_y]); })(e);
   };
   return {
       {"Fx, Fy like forces of the opposite sign",
-       each_reading([](Reading& r) { r.Fx = -r.Fx, r.Fy = -r.Fy; })},
-      {"Fx, Fy like forces with x mirrored", each_reading([](Reading& r) { r.Fx = -r.Fx; })},
-      {"Fx, Fy like forces with y mirrored", each_reading([](Reading& r) { r.Fy = -r.Fy; })},
+       each_reading([](Reading& r) { r[column_Fx] = -r[column_Fx], r[column_Fy] = -r[column_Fy]; })},
+      {"Fx, Fy like forces with x mirrored", each_reading([](Reading& r) { r[column_Fx] = -r[column_Fx]; })},
+      {"Fx, Fy like forces with y mirrored", each_reading([](Reading& r) { r[column_Fy] = -r[column_Fy]; })},
       {"Fx, Fy like forces with x and y swapped", forces},
       {"x, y like an end point with x and y swapped", positions},
-      {"x, y like an end point with y mirrored", each_reading([](Reading& r) { r.y = -r.y; })},
+      {"x, y like an end point with y mirrored", each_reading([](Reading& r) { r[column_y] = -r[column_y]; })},
       {"x, y, Fx, Fy like axes with x and y swapped", [=](Experiment& e) { forces(e), positions(e); }},
-      {"x, y, Fx, Fy like axes with x mirrored", each_reading([](Reading& r) { r.x = -r.x, r.Fx = -r.Fx; })},
-      {"x, y, Fx, Fy like axes with y mirrored", each_reading([](Reading& r) { r.y = -r.y, r.Fy = -r.Fy; })},
+      {"x, y, Fx, Fy like axes with x mirrored", each_reading([](Reading& r) { r[column_x] = -r[column_x], r[column_Fx] = -r[column_Fx]; })},
+      {"x, y, Fx, Fy like axes with y mirrored", each_reading([](Reading& r) { r[column_y] = -r[column_y], r[column_Fy] = -r[column_Fy]; })},
   };
 }
 
@@ -114,7 +114,7 @@ inline std::vector<Slip> slips_of_joints() {
   const auto opposite = [](List& q) { scale(q, -1); };
   const auto reversed = [](List& q) { std::reverse(q.begin(), q.end()); };
   const auto of_q = [](const std::function<void(List&)>& change) {
-    return each_reading([change](Reading& r) { change(r.q); });
+    return each_reading([change](Reading& r) { each_angles(r, change); });
   };
   return {
       {"rest like angles of the opposite sign", each_rest(opposite)},

@@ -55,7 +55,7 @@ TEST_CASE("a column of zeros raises a question, in all runs or in those that hav
   CHECK(one->readings == 11);
   const Trace& nominal = Study(experiment).nominal().runs[1];
   CHECK(one->predicted_range ==
-        close_to(nominal.col(column_of(Fy)).maxCoeff() - nominal.col(column_of(Fy)).minCoeff()));
+        close_to(nominal.col(Fy.column).maxCoeff() - nominal.col(Fy.column).minCoeff()));
   CHECK(says(asked(experiment), "three links, run press-2, Fy: found 0 N in all 11 readings"));
   CHECK(says(asked(experiment), "leave its fields empty there"));
   hold(experiment.runs[0], Fy, 0);
@@ -86,12 +86,12 @@ TEST_CASE("seven readings, missing ones, and a moving channel raise no question"
   CHECK_FALSE(stuck_channel(Study(held(6))));
   CHECK(stuck_channel(Study(held(7))));
   Experiment experiment = held(7);
-  for (Run& run : experiment.runs) run.readings[3].Fy = nan_value();
+  for (Run& run : experiment.runs) run.readings[3][column_Fy] = nan_value();
   CHECK_FALSE(stuck_channel(Study(experiment)));
   experiment = held(10);
-  for (Run& run : experiment.runs) run.readings[3].Fy = nan_value();
+  for (Run& run : experiment.runs) run.readings[3][column_Fy] = nan_value();
   CHECK(stuck_channel(Study(experiment)));
-  for (Run& run : experiment.runs) run.readings[5].Fy = 0.02;
+  for (Run& run : experiment.runs) run.readings[5][column_Fy] = 0.02;
   CHECK_FALSE(stuck_channel(Study(experiment)));
   for (Run& run : experiment.runs) hold(run, Fy, nan_value());
   CHECK_FALSE(stuck_channel(Study(experiment)));
@@ -102,9 +102,9 @@ TEST_CASE("a channel may be constant where the nominal model spans at most twent
   for (Run& run : experiment.runs) hold(run, Fy, 0);
   const auto found = stuck_channel(Study(experiment));
   REQUIRE(found);
-  experiment.noise.Fy = found->predicted_range / 19;
+  experiment.noise[Channel::Name::Fy] = found->predicted_range / 19;
   CHECK_FALSE(stuck_channel(Study(experiment)));
-  experiment.noise.Fy = found->predicted_range / 21;
+  experiment.noise[Channel::Name::Fy] = found->predicted_range / 21;
   CHECK(stuck_channel(Study(experiment)));
 }
 
@@ -115,12 +115,12 @@ TEST_CASE("a channel may be constant where it is small beside the other of its s
     press(experiment, {0.3, -0.5, 0.4}, {-0.03, by}, 10, false);
     const Trace nominal = Study(experiment).nominal().runs[0];
     const auto range = [&](Channel::Name name) {
-      const auto column = nominal.col(column_of({name}));
+      const auto column = nominal.col(Channel(name).column);
       return column.maxCoeff() - column.minCoeff();
     };
     const double share = range(Channel::Name::Fy) / range(Channel::Name::Fx);
     experiment = measured(experiment, {}, {}, 3);
-    experiment.noise.Fy = 1e-3;
+    experiment.noise[Channel::Name::Fy] = 1e-3;
     hold(experiment.runs[0], Fy, 0);
     return std::pair(share, stuck_channel(Study(experiment)).has_value());
   };
@@ -136,13 +136,13 @@ TEST_CASE(
     "a run without joint angles beside one that has them raises no question, and a stuck one there is "
     "found") {
   Experiment experiment = still_bench();
-  const std::vector<double> angles = experiment.runs[0].readings[0].q;
+  const std::vector<double> angles = experiment.runs[0].readings[0].angles(3);
   REQUIRE_FALSE(angles.empty());
-  for (Reading& reading : experiment.runs[1].readings) reading.q.clear();
+  for (Reading& reading : experiment.runs[1].readings) reading.value.resize(column_q);
   CHECK_FALSE(stuck_channel(Study(experiment)));
   hold(experiment.runs[0], {Channel::Name::q, 1}, 0.25);
   const auto found = stuck_channel(Study(experiment));
   REQUIRE(found);
-  CHECK(found->channel == Channel{Channel::Name::q, 1});
+  CHECK(found->channel == Channel(Channel::Name::q, 1));
   CHECK(found->readings == experiment.runs[0].readings.size());
 }

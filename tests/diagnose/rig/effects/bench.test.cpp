@@ -52,7 +52,7 @@ TEST_CASE("over a pulley a load passes exp(-mu) of itself while it grows and exp
     for (std::size_t i = 0; i < passed.runs[0].readings.size(); ++i) {
       Reading& one = passed.runs[0].readings[i];
       const double share = std::exp(i <= 10 ? -mu : mu);
-      one.Fx *= share, one.Fy *= share;
+      one[column_Fx] *= share, one[column_Fy] *= share;
     }
     const Trace with = predicted_load(experiment, only("pulley_friction"), {mu}),
                 nominal = predicted_load(passed, {}, {});
@@ -60,7 +60,7 @@ TEST_CASE("over a pulley a load passes exp(-mu) of itself while it grows and exp
       CHECK(difference(with.col(column), nominal.col(column)) < solver_digits);
     CHECK(difference(with.rightCols(3), nominal.rightCols(3)) < solver_digits);
     // The dial shows what hangs there.
-    CHECK(with(4, column_Fx) == experiment.runs[0].readings[4].Fx);
+    CHECK(with(4, column_Fx) == experiment.runs[0].readings[4][column_Fx]);
   }
 }
 
@@ -101,7 +101,7 @@ TEST_CASE("a pulley shows where a load turns back, a camera where it sees the en
   CHECK(is_possible(experiment, "camera_turn"));
   experiment.runs[0].readings.resize(11);
   CHECK_FALSE(is_possible(experiment, "pulley_friction"));
-  for (Reading& one : experiment.runs[0].readings) one.x = one.y = nan_value();
+  for (Reading& one : experiment.runs[0].readings) one[column_x] = one[column_y] = nan_value();
   CHECK_FALSE(is_possible(experiment, "camera_scale"));
   CHECK_FALSE(is_possible(experiment, "camera_turn"));
   Experiment pressed = three_links();

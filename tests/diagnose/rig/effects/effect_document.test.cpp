@@ -69,7 +69,7 @@ Experiment two_links(std::vector<double> stiffness, std::vector<double> rest,
   Run run{"press", Control::end_point, std::move(rest), {}};
   for (const auto& q : shapes) {
     const Point<double> at = end_point(chain, q);
-    run.readings.push_back({2.0 * static_cast<double>(run.readings.size()), at.x, at.y, -4, 0, {}});
+    run.readings.push_back({2.0 * static_cast<double>(run.readings.size()), {at.x, at.y, -4, 0}});
   }
   experiment.runs.push_back(run);
   return experiment;

@@ -172,8 +172,8 @@ TEST_CASE("a torque of angle, force and time is the same with end point or force
   Experiment pulled = experiment;
   pulled.runs[0].control = Control::force;
   for (std::size_t i = 0; i < pulled.runs[0].readings.size(); ++i) {
-    pulled.runs[0].readings[i].Fx = pressed.runs[0](static_cast<Eigen::Index>(i), column_Fx);
-    pulled.runs[0].readings[i].Fy = pressed.runs[0](static_cast<Eigen::Index>(i), column_Fy);
+    pulled.runs[0].readings[i][column_Fx] = pressed.runs[0](static_cast<Eigen::Index>(i), column_Fx);
+    pulled.runs[0].readings[i][column_Fy] = pressed.runs[0](static_cast<Eigen::Index>(i), column_Fy);
   }
   const Prediction back = predict(Study(pulled, rows), candidate, values);
   REQUIRE(back.reached);
@@ -230,7 +230,7 @@ std::vector<double> added_by(const Study& study, const Effect& row, double value
                              const Channel& channel) {
   const Prediction corrected = predict(study, {{EffectAt(row)}}, {value});
   std::vector<double> all;
-  const Eigen::Index column = column_of(channel);
+  const Eigen::Index column = channel.column;
   for (Eigen::Index i = 0; i < corrected.runs[run].rows(); ++i)
     all.push_back(corrected.runs[run](i, column) - study.nominal().runs[run](i, column));
   return all;
@@ -318,16 +318,16 @@ TEST_CASE("an error planted in readings of forces or angles is identified with i
     for (Run& run : experiment.runs) {
       if (!run.holds_end_point()) continue;
       std::vector<double> x;
-      for (const Reading& one : run.readings) x.push_back(one.x);
+      for (const Reading& one : run.readings) x.push_back(one[column_x]);
       const std::vector<double> way = ways(x);
-      for (std::size_t i = 0; i < way.size(); ++i) run.readings[i].Fx += 0.25 * way[i];
+      for (std::size_t i = 0; i < way.size(); ++i) run.readings[i][column_Fx] += 0.25 * way[i];
     }
   };
   const auto encoder = [](Experiment& experiment, const Prediction& nominal) {
     for (std::size_t r = 0; r < experiment.runs.size(); ++r)
       for (std::size_t i = 0; i < experiment.runs[r].readings.size(); ++i)
         for (std::size_t j = 0; j < 3; ++j)
-          experiment.runs[r].readings[i].q[j] +=
+          experiment.runs[r].readings[i][column_q + j] +=
               0.1 * std::sin(angle(nominal.runs[r], static_cast<Eigen::Index>(i), j));
   };
   CHECK(fitted((*rows)[0], hysteresis) - fitted((*rows)[0], nothing) == close_to(0.25).epsilon(2e-4));

@@ -334,12 +334,12 @@ TEST_CASE("an expression is evaluated along the nominal model, and zero for amou
   CHECK(reading("q", "a + (q > 0.39 ? 1 : 0)").find("the value 1 at reading 0") != std::string::npos);
   // a reading whose command is not known has no value to ask for
   Experiment holed = experiment;
-  holed.runs[0].readings[3].x = std::nan("");
+  holed.runs[0].readings[3][column_x] = std::nan("");
   CHECK(defined_fault(holed, effect_of(any_joint + "\"a * d\"\n", told_parameter("a", one_scale))).empty());
   CHECK(defined_fault(holed, effect_of("[effect.reading]\nFx = \"a * Fx\"\n", told_parameter("a", one_scale)))
             .empty());
   Experiment unreachable = experiment;
-  for (Reading& one : unreachable.runs[0].readings) one.x = 5;
+  for (Reading& one : unreachable.runs[0].readings) one[column_x] = 5;
   CHECK(defined_fault(unreachable, effect_of(any_joint + "\"a + 1\"\n", told_parameter("a", one_scale)))
             .empty());
 }
