@@ -37,7 +37,8 @@ std::optional<Channel> channel_of(const Run& run, const Origin& origin) {
   return std::nullopt;
 }
 
-double value_of(const diagnose::Reading& reading, const Origin& origin, const std::optional<Channel>& channel) {
+double value_of(const diagnose::Reading& reading, const Origin& origin,
+                const std::optional<Channel>& channel) {
   if (channel) return channel->of(reading);
   if (origin.what == "t") return reading.t;
   return reading.rest.at(std::stoul(origin.what.substr(std::string_view("q_command").size())) - 1);

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// A channel of the readings: a column of a sample file, with its sensor and its unit. All that differs between
-/// the kinds of channels is a row of one table.
+/// A channel of the readings: a column of a sample file, with its sensor and its unit. All that differs
+/// between the kinds of channels is a row of one table.
 
 #include <array>
 #include <cstddef>
@@ -28,8 +28,8 @@ constexpr std::size_t place_of(Sensor sensor) {
 /// "position", "force", "angle", "orientation", "torque", "second force" or "second torque".
 std::string label(Sensor sensor);
 
-/// The columns of readings and of traces that every bench has: those of the end point, or of a joint alone, and
-/// the first of the joints' angles. The drives' torques follow these, then six coordinates a point.
+/// The columns of readings and of traces that every bench has: those of the end point, or of a joint alone,
+/// and the first of the joints' angles. The drives' torques follow these, then six coordinates a point.
 enum ChannelColumn : std::ptrdiff_t {
   column_x,
   column_y,
@@ -42,8 +42,8 @@ enum ChannelColumn : std::ptrdiff_t {
 
 struct Channel {
   /// Fx_2 and Fy_2 are those of a second sensor of the load. Angle and torques are those of a joint alone.
-  /// The last three are of arms in space: coordinates of a point, components of its rotation vector, torque of
-  /// a drive. The number is that of the row in channel_kinds.
+  /// The last three are of arms in space: coordinates of a point, components of its rotation vector, torque
+  /// of a drive. The number is that of the row in channel_kinds.
   enum class Name { x, y, Fx, Fy, q, Fx_2, Fy_2, angle, torque, torque_2, place, turn, drive } name;
   std::size_t joint = 0;  ///< 0-based, for q and drives; 3 p + axis for a coordinate of point p
   std::ptrdiff_t column;  ///< in readings and traces

@@ -212,8 +212,7 @@ bool is_bent_at_rest(const Experiment& e, std::size_t joint) {
 }
 
 bool measures_angles(const Experiment& e) {
-  return std::any_of(e.runs.begin(), e.runs.end(),
-                     [](const Run& run) { return run.reads_angles(); });
+  return std::any_of(e.runs.begin(), e.runs.end(), [](const Run& run) { return run.reads_angles(); });
 }
 
 /// One joint whose angle has the opposite sign: at rest, in the readings, or both.

@@ -46,7 +46,8 @@ Reading between(const Reading& from, const Reading& to, double share) {
     for (std::size_t i = 0; i < a.size(); ++i) a[i] += share * (b[i] - a[i]);
     return a;
   };
-  Reading one{from.t + share * (to.t - from.t), {}, all(from.rest, to.rest), all(from.covariates, to.covariates)};
+  Reading one{
+      from.t + share * (to.t - from.t), {}, all(from.rest, to.rest), all(from.covariates, to.covariates)};
   for (const std::ptrdiff_t column : {column_x, column_y, column_Fx, column_Fy})
     one[column] = from[column] + share * (to[column] - from[column]);
   return one;
@@ -135,7 +136,8 @@ std::vector<Channel> Run::measurable() const {
   std::size_t columns = 0;
   for (const Reading& reading : readings) columns = std::max(columns, reading.value.size());
   if (columns <= static_cast<std::size_t>(column_q) + joints) return channels;
-  for (std::size_t c = 0; Channel(Name::turn, c, joints).column < static_cast<std::ptrdiff_t>(columns); c += 3)
+  for (std::size_t c = 0; Channel(Name::turn, c, joints).column < static_cast<std::ptrdiff_t>(columns);
+       c += 3)
     for (const Name name : {Name::place, Name::turn})
       for (std::size_t axis = 0; axis < 3; ++axis) channels.emplace_back(name, c + axis, joints);
   for (std::size_t j = 0; j < joints; ++j) channels.emplace_back(Name::drive, j, joints);

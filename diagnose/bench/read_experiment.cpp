@@ -334,8 +334,10 @@ Experiment read_arm_settings(const Section& root, const Source& source) {
   noise.allow_only({"place", "turn", "q", "torque"});
   const PoseUnits& units = format.units;
   using Name = Channel::Name;
-  for (const auto& [name, unit] : {std::pair(Name::q, &units.angle), {Name::place, &units.place},
-                                   {Name::turn, &units.angle}, {Name::drive, &units.moment}})
+  for (const auto& [name, unit] : {std::pair(Name::q, &units.angle),
+                                   {Name::place, &units.place},
+                                   {Name::turn, &units.angle},
+                                   {Name::drive, &units.moment}})
     experiment.noise[name] = in_si(noise.non_negative(std::string(kind_of(name).noise_key)), *unit);
   if (!root.has("run")) throw Error(root.place("run"), "no such key", "at least one [[run]]");
   std::set<std::string> ids;

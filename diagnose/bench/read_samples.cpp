@@ -33,9 +33,9 @@ class Joined {
   [[nodiscard]] Reading reading(std::size_t row, Control control) const {
     const auto value = [&](std::size_t c) { return owners_[c]->value(c, row); };
     const std::size_t second = format().place_second1();
-    Reading reading{value(place_t),
-                    {value(place_x), value(place_y), value(place_Fx), value(place_Fy), value(second),
-                     value(second + 1)}};
+    Reading reading{
+        value(place_t),
+        {value(place_x), value(place_y), value(place_Fx), value(place_Fy), value(second), value(second + 1)}};
     const std::vector<double> q = angles(place_q1, &SampleFormat::absolute_angles, row);
     reading.value.insert(reading.value.end(), q.begin(), q.end());
     reading.rest = angles(format().place_command1(), &SampleFormat::absolute_commands, row);

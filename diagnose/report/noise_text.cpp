@@ -18,7 +18,8 @@ std::string two_digits(double value) {
 std::string by_name(const NoiseEstimate& noise, double ChannelNoise::*value) {
   std::map<std::string, std::pair<double, double>> ranges;
   for (const ChannelNoise& one : noise.channels) {
-    const auto [place, is_first] = ranges.try_emplace(std::string(kind_of(one.channel.name).label), one.*value, one.*value);
+    const auto [place, is_first] =
+        ranges.try_emplace(std::string(kind_of(one.channel.name).label), one.*value, one.*value);
     if (is_first) continue;
     auto& [low, high] = place->second;
     low = std::min(low, one.*value), high = std::max(high, one.*value);

@@ -9,7 +9,8 @@ namespace plumbline::diagnose {
 namespace {
 
 Eigen::Index columns_of(const Experiment& experiment) {
-  return Channel(Channel::Name::place, 3 * experiment.arm_bench.points.size(), experiment.arm->arm.size()).column;
+  return Channel(Channel::Name::place, 3 * experiment.arm_bench.points.size(), experiment.arm->arm.size())
+      .column;
 }
 
 /// One run of a rig and of its variations; `beside` holds the differences from the rig.

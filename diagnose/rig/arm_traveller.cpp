@@ -291,13 +291,15 @@ void ArmTraveller::write(const Reading& reading, Eigen::Ref<Eigen::ArrayXd> row)
     const Pose<double> seen = rig.tracker.inverse() * of(rig.points[p], posture, tipped);
     const Vector3<double> place = (1 + rig.tracker_scale) * seen.translation();
     for (std::size_t axis = 0; axis < 3; ++axis)
-      row(Channel(Channel::Name::place, 3 * p + axis, arm_.size()).column) = place(static_cast<Eigen::Index>(axis));
+      row(Channel(Channel::Name::place, 3 * p + axis, arm_.size()).column) =
+          place(static_cast<Eigen::Index>(axis));
     if (!reads(Channel(Channel::Name::turn, 3 * p, arm_.size()))) continue;
     const Pose<double> told =
         nominal_pose(experiment_->arm->arm, experiment_->arm_bench.points[p].at, command_);
     const Vector3<double> turn = rotation_vector<double>(told.linear().transpose() * seen.linear());
     for (std::size_t axis = 0; axis < 3; ++axis)
-      row(Channel(Channel::Name::turn, 3 * p + axis, arm_.size()).column) = turn(static_cast<Eigen::Index>(axis));
+      row(Channel(Channel::Name::turn, 3 * p + axis, arm_.size()).column) =
+          turn(static_cast<Eigen::Index>(axis));
   }
   if (!reads(Channel(Channel::Name::drive, 0, arm_.size()))) return;
   const ArmLoads<double> at = loads(posture);

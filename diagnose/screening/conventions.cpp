@@ -147,7 +147,8 @@ double decades_beyond(double value, double low, double high) {
 double unusual(const Experiment& experiment) {
   double force = 0;
   for (const Run& run : experiment.runs)
-    for (const Reading& r : run.readings) force = std::fmax(force, std::fmax(std::abs(r[column_Fx]), std::abs(r[column_Fy])));
+    for (const Reading& r : run.readings)
+      force = std::fmax(force, std::fmax(std::abs(r[column_Fx]), std::abs(r[column_Fy])));
   const double length = std::accumulate(experiment.link_length.begin(), experiment.link_length.end(), 0.0);
   return decades_beyond(force, 0.1, 100) + decades_beyond(length, 0.05, 5);
 }

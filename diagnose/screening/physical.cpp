@@ -117,12 +117,13 @@ void require_noise(const Run& run, const Noise& noise) {
     const bool read = std::any_of(run.readings.begin(), run.readings.end(),
                                   [&](const Reading& r) { return !std::isnan(channel.of(r)); });
     if (!read || channel.sigma(noise) > 0) continue;
-    throw Error("noise." + std::string(channel.kind().noise_key), "0, or nothing", "a positive figure: run \"" + run.id + "\" measures it");
+    throw Error("noise." + std::string(channel.kind().noise_key), "0, or nothing",
+                "a positive figure: run \"" + run.id + "\" measures it");
   }
 }
 
-/// What a measured value of a sensor is compared with: the reach, a radian, and the load that turns a joint by
-/// a radian.
+/// What a measured value of a sensor is compared with: the reach, a radian, and the load that turns a joint
+/// by a radian.
 std::pair<double, std::string_view> usual_size(const Experiment& experiment, Sensor sensor, double reach) {
   switch (sensor) {
     case Sensor::position:
@@ -198,7 +199,8 @@ void require_arm(const Experiment& experiment) {
   const NominalArm& nominal = *experiment.arm;
   constexpr std::size_t most_joints = 24;  // each reading costs the cube of it
   if (nominal.arm.size() > most_joints)
-    throw Error("arm", std::to_string(nominal.arm.size()) + " joints", std::to_string(most_joints) + " at most");
+    throw Error("arm", std::to_string(nominal.arm.size()) + " joints",
+                std::to_string(most_joints) + " at most");
   const Noise& noise = experiment.noise;
   constexpr double finest = 1e-15;  // m, rad or N m: the rounding of places, angles and torques of an arm
   for (const ChannelKind& kind : channel_kinds) {

@@ -80,7 +80,8 @@ inline Experiment arm_bench(const NominalArm& arm, std::size_t readings, const M
   experiment.name = "arm";
   experiment.bench = {Bench::Plane::vertical, {0, 0}, false};
   experiment.noise = {0, 0, 0, 0, measured.angles ? 2e-5 : 0.0};
-  experiment.noise[Channel::Name::place] = 3e-5, experiment.noise[Channel::Name::turn] = 1e-4, experiment.noise[Channel::Name::drive] = 0.1;
+  experiment.noise[Channel::Name::place] = 3e-5, experiment.noise[Channel::Name::turn] = 1e-4,
+  experiment.noise[Channel::Name::drive] = 0.1;
   const OnLink<double> tip{arm.arm.size() - 1, arm.arm.tip};
   experiment.arm_bench = {{{"tip", tip}}, tip};
   std::mt19937 engine(seed);

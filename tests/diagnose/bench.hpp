@@ -88,9 +88,8 @@ inline void press(Experiment& experiment, const std::vector<double>& rest, std::
   const int last = back ? 2 * steps : steps;
   for (int i = 0; i <= last; ++i) {
     const double share = 1.0 - std::abs(1.0 - static_cast<double>(i) / steps);
-    run.readings.push_back(
-        {i * interval,
-         chain_values(x + share * by[0], y + share * by[1], 0, 0, std::vector<double>(rest.size(), 0))});
+    run.readings.push_back({i * interval, chain_values(x + share * by[0], y + share * by[1], 0, 0,
+                                                       std::vector<double>(rest.size(), 0))});
   }
   experiment.runs.push_back(run);
 }
@@ -101,10 +100,9 @@ inline void load(Experiment& experiment, const std::vector<double>& rest, std::a
   Run run{"load-" + std::to_string(experiment.runs.size() + 1), Control::force, rest, {}};
   for (int i = 0; i <= steps; ++i) {
     const double share = static_cast<double>(i) / steps;
-    run.readings.push_back({static_cast<double>(i),
-                            chain_values(0, 0, from[0] + share * (to[0] - from[0]),
-                                         from[1] + share * (to[1] - from[1]),
-                                         std::vector<double>(rest.size(), 0))});
+    run.readings.push_back({static_cast<double>(i), chain_values(0, 0, from[0] + share * (to[0] - from[0]),
+                                                                 from[1] + share * (to[1] - from[1]),
+                                                                 std::vector<double>(rest.size(), 0))});
   }
   experiment.runs.push_back(run);
 }

@@ -29,7 +29,8 @@ inline Experiment finger(const std::vector<double>& tensions) {
   Run run{"bend", Control::force, finger_rest, {}};
   run.by_weights = true;
   for (const double tension : tensions) {
-    run.readings.push_back({2.0 * static_cast<double>(run.readings.size()), chain_values(0, 0, 0, 0, {0, 0, 0})});
+    run.readings.push_back(
+        {2.0 * static_cast<double>(run.readings.size()), chain_values(0, 0, 0, 0, {0, 0, 0})});
     run.readings.back().covariates = {tension};
   }
   experiment.runs = {run};

@@ -37,9 +37,9 @@ inline Experiment hinge(const std::vector<std::vector<double>>& deflections,
     const auto carried = torque();
     for (const double d : path) {
       const double height = lever * std::sin(rest + d);
-      run.readings.push_back({static_cast<double>(run.readings.size()),
-                              {lever * (1 + std::cos(rest + d)), height, noise(engine) - carried(d) / height,
-                               noise(engine)}});
+      run.readings.push_back(
+          {static_cast<double>(run.readings.size()),
+           {lever * (1 + std::cos(rest + d)), height, noise(engine) - carried(d) / height, noise(engine)}});
     }
     experiment.runs.push_back(run);
   }

@@ -19,8 +19,7 @@ inline Experiment blank_experiment(const std::vector<std::size_t>& readings) {
                         {}};
   for (const std::size_t count : readings) {
     Run run{"run-" + std::to_string(experiment.runs.size() + 1), Control::end_point, {0, 0}, {}};
-    for (std::size_t i = 0; i < count; ++i)
-      run.readings.push_back({static_cast<double>(i), {0.3, 0, 0, 0}});
+    for (std::size_t i = 0; i < count; ++i) run.readings.push_back({static_cast<double>(i), {0.3, 0, 0, 0}});
     experiment.runs.push_back(run);
   }
   return experiment;

@@ -95,7 +95,8 @@ TEST_CASE("units change no answer: lengths, torques and all that follows from th
     for (double& one : experiment.link_length) one *= length;
     for (double& one : experiment.joint_stiffness) one *= torque;
     experiment.noise[Channel::Name::x] *= length, experiment.noise[Channel::Name::y] *= length;
-    experiment.noise[Channel::Name::Fx] *= torque / length, experiment.noise[Channel::Name::Fy] *= torque / length;
+    experiment.noise[Channel::Name::Fx] *= torque / length,
+        experiment.noise[Channel::Name::Fy] *= torque / length;
     for (Run& run : experiment.runs)
       for (Reading& reading : run.readings) {
         reading[column_x] *= length, reading[column_y] *= length;
@@ -126,7 +127,8 @@ TEST_CASE(
   const Experiment experiment = sprung_links_with(test::only("joint_stiffness", 2), 14);
   Experiment doubled = experiment;
   Noise& noise = doubled.noise;
-  noise = {2 * noise[Channel::Name::x], 2 * noise[Channel::Name::y], 2 * noise[Channel::Name::Fx], 2 * noise[Channel::Name::Fy], 2 * noise[Channel::Name::q]};
+  noise = {2 * noise[Channel::Name::x], 2 * noise[Channel::Name::y], 2 * noise[Channel::Name::Fx],
+           2 * noise[Channel::Name::Fy], 2 * noise[Channel::Name::q]};
   const Study one(experiment), two(doubled);
   const CommandStates states(experiment);
   const auto log_likelihood = [&](const Study& study, const VectorXd& residual) {

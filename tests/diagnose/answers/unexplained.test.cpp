@@ -123,7 +123,8 @@ TEST_CASE("an outlier is not missing, and runs of another control are not drawn 
   Experiment experiment = exact_press();
   experiment.runs[0].readings[20][column_Fx] += 50;
   load(experiment, {0.3, -0.5, 0.4}, {0, 0}, {-0.1, 0}, 10);
-  for (Reading& reading : experiment.runs[1].readings) reading[column_x] = 0.5, reading[column_y] = 0.1, reading.value.resize(column_q);
+  for (Reading& reading : experiment.runs[1].readings)
+    reading[column_x] = 0.5, reading[column_y] = 0.1, reading.value.resize(column_q);
   const Study study(experiment);
   NoiseEstimate noise = declared_noise(study);
   noise.shape.outlier[20] = true;  // Fx is the first series

@@ -62,8 +62,9 @@ Run commanded(const std::vector<double>& commands, const std::vector<double>& re
   Run run{"commanded", Control::force, {commands.front()}, {}};
   run.by_weights = true;
   for (std::size_t i = 0; i < commands.size(); ++i)
-    run.readings.push_back(
-        {0.5 * static_cast<double>(i), chain_values(nan_value(), nan_value(), 0, 0, {reached[i]}), {commands[i]}});
+    run.readings.push_back({0.5 * static_cast<double>(i),
+                            chain_values(nan_value(), nan_value(), 0, 0, {reached[i]}),
+                            {commands[i]}});
   return run;
 }
 
@@ -109,9 +110,9 @@ Experiment pulled(Dice& dice, double length, double k, const std::vector<double>
   Run run{"pull", Control::force, {0}, {}};
   for (std::size_t i = 0; i < forces.size(); ++i) {
     const auto torque = [&](double q) { return law(q) - forces[i] * length * std::cos(q); };
-    run.readings.push_back({2.0 * static_cast<double>(i),
-                            chain_values(nan_value(), nan_value(), 0, forces[i],
-                                         {root(torque, -1.5, 1.5) + dice.noise(sigma)})});
+    run.readings.push_back(
+        {2.0 * static_cast<double>(i), chain_values(nan_value(), nan_value(), 0, forces[i],
+                                                    {root(torque, -1.5, 1.5) + dice.noise(sigma)})});
   }
   run.by_weights = true;
   experiment.runs = {run};
@@ -163,8 +164,7 @@ Experiment strut(Dice& dice, bool back) {
     const double torque = k * d + stiff * std::max(0.0, d - stop);
     // The force (f cos b, f sin b) along link 2 at slope b has the moment -f length cos(d + b) about joint 1.
     const double b = std::asin(rise), f = torque / (length * std::cos(d + b));
-    run.readings.push_back(
-        {static_cast<double>(i), {x, length, f * std::cos(b) + dice.noise(sigma)}});
+    run.readings.push_back({static_cast<double>(i), {x, length, f * std::cos(b) + dice.noise(sigma)}});
   }
   experiment.runs = {run};
   return experiment;
@@ -188,8 +188,8 @@ Experiment payload(Dice& dice) {
     }
     Run run{"pose " + std::to_string(pose), Control::force, rest, {}};
     run.by_weights = true;
-    run.readings.push_back(
-        {0, chain_values(nan_value(), nan_value(), 0, 0, {q1 + dice.noise(0.1 * degree), q2 + dice.noise(0.1 * degree)})});
+    run.readings.push_back({0, chain_values(nan_value(), nan_value(), 0, 0,
+                                            {q1 + dice.noise(0.1 * degree), q2 + dice.noise(0.1 * degree)})});
     experiment.runs.push_back(run);
   }
   return experiment;

@@ -102,7 +102,8 @@ TEST_CASE("readings converted to other units, by hand") {
   for (const auto& [name, factor] : forces) {
     const Conversion& one = conversion(all, "Fx, Fy", name);
     const Reading read = converted(experiment, one).runs[0].readings[0];
-    check_close({read[column_Fx], read[column_Fy], read[column_x], read[column_y]}, {5 * factor, 7 * factor, 2, 3});
+    check_close({read[column_Fx], read[column_Fy], read[column_x], read[column_y]},
+                {5 * factor, 7 * factor, 2, 3});
     CHECK(one.factor == close_to(factor));
     CHECK(one.expected == "N");
     CHECK_FALSE(one.mirror);
@@ -111,7 +112,8 @@ TEST_CASE("readings converted to other units, by hand") {
   }
   for (const auto& [name, factor] : {std::pair("mm", 1e-3), std::pair("cm", 1e-2), std::pair("in", 0.0254)}) {
     const Reading read = converted(experiment, conversion(all, "x, y", name)).runs[0].readings[0];
-    check_close({read[column_x], read[column_y], read[column_Fx], read[column_Fy]}, {2 * factor, 3 * factor, 5, 7});
+    check_close({read[column_x], read[column_y], read[column_Fx], read[column_Fy]},
+                {2 * factor, 3 * factor, 5, 7});
     CHECK(conversion(all, "x, y", name).remedy ==
           std::string("columns.x.unit and columns.y.unit = \"") + name + "\"");
     const Experiment links = converted(experiment, conversion(all, "link_length", name)),
@@ -119,7 +121,8 @@ TEST_CASE("readings converted to other units, by hand") {
     check_close(links.link_length, {0.2 * factor, 0.25 * factor, 0.15 * factor});
     check_close(both.link_length, links.link_length);
     CHECK(links.runs[0].readings[0][column_x] == 2);
-    check_close({both.runs[0].readings[0][column_x], both.runs[0].readings[0][column_y]}, {2 * factor, 3 * factor});
+    check_close({both.runs[0].readings[0][column_x], both.runs[0].readings[0][column_y]},
+                {2 * factor, 3 * factor});
     CHECK(conversion(all, "link_length", name).factor == close_to(factor));
   }
   const double degree = std::acos(-1.0) / 180;
@@ -196,9 +199,11 @@ TEST_CASE("readings converted to other axes, by hand") {
   // A component that is missing takes no other with it.
   Experiment half = experiment;
   half.runs[0].readings[0][column_Fy] = nan_value();
-  CHECK(converted(half, conversion(all, "Fx, Fy", "forces with x mirrored")).runs[0].readings[0][column_Fx] == -5);
-  CHECK(converted(half, conversion(all, "Fx, Fy", "forces turned by 90 degrees")).runs[0].readings[0][column_Fy] ==
+  CHECK(converted(half, conversion(all, "Fx, Fy", "forces with x mirrored")).runs[0].readings[0][column_Fx] ==
         -5);
+  CHECK(converted(half, conversion(all, "Fx, Fy", "forces turned by 90 degrees"))
+            .runs[0]
+            .readings[0][column_Fy] == -5);
 }
 
 TEST_CASE("joint angles in other conventions, by hand: readings, rest shape, both") {

@@ -219,7 +219,8 @@ TEST_CASE("an unsteady position of a held run is not a reversal") {
   const Experiment few = decimated(experiment);
   CHECK(few.runs[1].readings.size() < 300);
   const std::vector<Reading>& left = few.runs[1].readings;
-  CHECK(std::count_if(left.begin(), left.end(), [](const Reading& r) { return std::isnan(r[column_Fx]); }) <= 3);
+  CHECK(std::count_if(left.begin(), left.end(), [](const Reading& r) { return std::isnan(r[column_Fx]); }) <=
+        3);
 }
 
 TEST_CASE("a run that reverses at every reading is not decimated") {
@@ -243,7 +244,8 @@ TEST_CASE("groups along a parabola lie on it, also where the command is faster")
   for (const bool faster : {false, true}) {
     CAPTURE(faster);
     for (Reading& reading : experiment.runs[0].readings) {
-      if (faster) reading[column_x] *= 1 - reading[column_x] / 1e5, reading[column_y] = -3 * reading[column_x];
+      if (faster)
+        reading[column_x] *= 1 - reading[column_x] / 1e5, reading[column_y] = -3 * reading[column_x];
       reading[column_Fx] = along(reading[column_x]);
     }
     for (std::size_t i = 3; i < 10001; i += 50)
@@ -253,7 +255,8 @@ TEST_CASE("groups along a parabola lie on it, also where the command is faster")
     // Of an even number the mean of the middle two is off by a quarter of the curvature, and of a step that
     // grows by a ten-thousandth of itself, twenty readings long, by less; a plain median by 25 of them.
     for (const Reading& reading : few.readings)
-      if (!std::isnan(reading[column_Fx])) CHECK(std::abs(reading[column_Fx] - along(reading[column_x])) < 0.01);
+      if (!std::isnan(reading[column_Fx]))
+        CHECK(std::abs(reading[column_Fx] - along(reading[column_x])) < 0.01);
   }
 }
 

@@ -48,7 +48,8 @@ Experiment read_two_cells(const std::string& settings = two_cells) {
 /// of its own.
 Experiment with_second_cell(const Candidate& truth, const std::vector<double>& values) {
   Experiment experiment = full_bench();
-  experiment.noise[Channel::Name::Fx_2] = experiment.noise[Channel::Name::Fx], experiment.noise[Channel::Name::Fy_2] = experiment.noise[Channel::Name::Fy];
+  experiment.noise[Channel::Name::Fx_2] = experiment.noise[Channel::Name::Fx],
+  experiment.noise[Channel::Name::Fy_2] = experiment.noise[Channel::Name::Fy];
   for (Run& run : experiment.runs)
     for (Reading& reading : run.readings) reading[column_Fx_2] = reading[column_Fy_2] = 0;
   const Prediction predicted = predict(Study(experiment), truth, values);

@@ -72,7 +72,8 @@ void check_same(const Run& run, const Run& other) {
     CAPTURE(i);
     CHECK(same(a.t, b.t));
     // Each decimal is read to the double nearest to its value in SI, whatever its unit.
-    CHECK((same(a[column_x], b[column_x]) && same(a[column_y], b[column_y]) && same(a[column_Fx], b[column_Fx]) && same(a[column_Fy], b[column_Fy])));
+    CHECK((same(a[column_x], b[column_x]) && same(a[column_y], b[column_y]) &&
+           same(a[column_Fx], b[column_Fx]) && same(a[column_Fy], b[column_Fy])));
   }
 }
 
@@ -112,7 +113,8 @@ TEST_CASE("a run cut into files anywhere is the same run") {
     Texts files{{"a.csv", "t,x,y,Fx,Fy\n"}, {"b.csv", "t,x,y,Fx,Fy\n"}};
     for (std::size_t i = 0; i < whole.readings.size(); ++i) {
       const Reading& r = whole.readings[i];
-      files[i < cut ? "a.csv" : "b.csv"] += fmt::format("{},{},{},{},{}\n", r.t, r[column_x], r[column_y], r[column_Fx], r[column_Fy]);
+      files[i < cut ? "a.csv" : "b.csv"] +=
+          fmt::format("{},{},{},{},{}\n", r.t, r[column_x], r[column_y], r[column_Fx], r[column_Fy]);
     }
     check_same(read_texts(one_run("", R"(["a.csv", "b.csv"])", files)).runs.front(), whole);
   }));

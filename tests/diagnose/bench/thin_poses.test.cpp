@@ -12,6 +12,7 @@ TEST_CASE("few poses stay as they are, and of many whole blocks stay, each witho
   CHECK(run.readings.size() == 400);  // every fifth of a hundred blocks of twenty
   for (std::size_t i = 0; i < run.readings.size(); ++i) {
     CHECK(run.readings[i].rest == many.runs[0].readings[run.first_taken(i)].rest);
-    CHECK(std::isnan(Channel(Channel::Name::place, 0, run.rest.size()).of(run.readings[i])) == (i > 0 && i % 20 == 0));
+    CHECK(std::isnan(Channel(Channel::Name::place, 0, run.rest.size()).of(run.readings[i])) ==
+          (i > 0 && i % 20 == 0));
   }
 }

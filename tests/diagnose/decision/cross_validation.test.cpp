@@ -196,7 +196,8 @@ TEST_CASE("what a block holds out of one way, a run that comes back shows on the
         if (!held[i]) continue;
         bool seen = false;
         for (std::size_t other = 0; other < readings.size(); ++other)
-          seen = seen || (!held[other] && std::abs(readings[other][column_x] - readings[i][column_x]) < 0.011 * step);
+          seen = seen ||
+                 (!held[other] && std::abs(readings[other][column_x] - readings[i][column_x]) < 0.011 * step);
         alone += !seen;
       }
       CHECK(alone == 0);

@@ -28,9 +28,9 @@ Experiment two_servos() {
   Run run{"poses", Control::force, {-0.5, 0}, {}};
   run.by_weights = true;
   for (const std::vector<double>& command : std::vector<std::vector<double>>{{-0.5, 0}, {1, 0.6}, {0, 0.3}}) {
-    run.readings.push_back({static_cast<double>(run.readings.size()),
-                            chain_values(nan_value(), nan_value(), 0, 0, {command[0] - 0.1, command[1] - 0.05}),
-                            command});
+    run.readings.push_back(
+        {static_cast<double>(run.readings.size()),
+         chain_values(nan_value(), nan_value(), 0, 0, {command[0] - 0.1, command[1] - 0.05}), command});
   }
   experiment.runs = {run};
   return experiment;

@@ -53,8 +53,7 @@ TEST_CASE("a design space: planned runs first, as the nominal chain follows them
     CHECK(run.turns_back());
     for (std::size_t i = 0; i < run.readings.size(); ++i)
       for (const Channel& channel : run.measured())
-        CHECK(channel.of(run.readings[i]) ==
-              nominal.runs[r](static_cast<Eigen::Index>(i), channel.column));
+        CHECK(channel.of(run.readings[i]) == nominal.runs[r](static_cast<Eigen::Index>(i), channel.column));
     if (r == 0) continue;
     CHECK(so_far.allows(nominal.runs[r], run));
   }

@@ -58,7 +58,8 @@ TEST_CASE("the predicted log-likelihood ratio of a proposal is that of its run")
 
   Experiment longer = along_x();
   longer.runs.push_back(best.run);
-  for (Reading& reading : longer.runs.back().readings) reading[column_q] = reading[column_q + 1] = reading[column_q + 2] = 0;
+  for (Reading& reading : longer.runs.back().readings)
+    reading[column_q] = reading[column_q + 1] = reading[column_q + 2] = 0;
   // Averaged over what noise does to one run; the lead scatters by the root of twice its mean.
   double sum = 0;
   constexpr unsigned repeats = 20;
@@ -133,8 +134,9 @@ TEST_CASE("a proposal's gap is the distance of the best hypothesis from the nomi
                 nominal = alone.nominal().runs[0];
     double sum = 0, count = 0;
     for (Eigen::Index i = 0; i < best.rows(); ++i) {
-      sum += std::pow((best(i, column_Fx) - nominal(i, column_Fx)) / (2 * bench.noise[Channel::Name::Fx]), 2) +
-             std::pow((best(i, column_Fy) - nominal(i, column_Fy)) / (0.5 * bench.noise[Channel::Name::Fy]), 2);
+      sum +=
+          std::pow((best(i, column_Fx) - nominal(i, column_Fx)) / (2 * bench.noise[Channel::Name::Fx]), 2) +
+          std::pow((best(i, column_Fy) - nominal(i, column_Fy)) / (0.5 * bench.noise[Channel::Name::Fy]), 2);
       count += 2;
       for (std::size_t j = 0; one.angles && j < 3; ++j, ++count)
         sum += std::pow((angle(best, i, j) - angle(nominal, i, j)) / bench.noise[Channel::Name::q], 2);

@@ -99,7 +99,8 @@ TEST_CASE("noise as large as the forces hides every effect, and no run is propos
 
 TEST_CASE("indistinguishable effects are in one class, each once") {
   Experiment bench = two_links();
-  bench.noise[Channel::Name::Fx] = bench.noise[Channel::Name::Fy] = 8;  // so much that a few effects alone are seen
+  bench.noise[Channel::Name::Fx] = bench.noise[Channel::Name::Fy] =
+      8;  // so much that a few effects alone are seen
   const Unidentifiable never = plan(bench).unidentifiable;
   std::vector<EffectAt> classed;
   for (const Indistinguishable& one : never.indistinguishable) {

@@ -18,7 +18,8 @@ Study three_values() {
   Experiment experiment = three_links();
   experiment.noise[Channel::Name::q] = 0;
   press(experiment, {0.3, -0.5, 0.4}, {-0.02, 0}, 2, false);
-  for (Reading& reading : experiment.runs[0].readings) reading[column_Fy] = nan_value(), reading.value.resize(column_q);
+  for (Reading& reading : experiment.runs[0].readings)
+    reading[column_Fy] = nan_value(), reading.value.resize(column_q);
   return Study(experiment);
 }
 

@@ -51,8 +51,8 @@ JointTorqueLaw law_of(const std::vector<std::size_t>& joints, double stiffness,
 /// the whole chain's length. A law that many readings tell is nearer.
 double torque_of_one_reading(const Experiment& experiment, std::size_t joint) {
   const double reach = experiment.link_length[0] + experiment.link_length[1] + experiment.link_length[2];
-  return 5 *
-         std::hypot(experiment.joint_stiffness[joint - 1] * experiment.noise[Channel::Name::q], reach * experiment.noise[Channel::Name::Fx]);
+  return 5 * std::hypot(experiment.joint_stiffness[joint - 1] * experiment.noise[Channel::Name::q],
+                        reach * experiment.noise[Channel::Name::Fx]);
 }
 
 /// What joints carry along the runs with what was found, beside what they carried.

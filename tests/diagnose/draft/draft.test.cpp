@@ -42,9 +42,10 @@ struct Lab {
       Reading& r = run.readings[i];
       const auto row = static_cast<Eigen::Index>(i);
       // a load cell that scatters, the same at every call
-      r[column_Fx] = pressed(row, Channel(Channel::Name::Fx).column) + 0.02 * std::sin(7.1 * static_cast<double>(i * i));
+      r[column_Fx] =
+          pressed(row, Channel(Channel::Name::Fx).column) + 0.02 * std::sin(7.1 * static_cast<double>(i * i));
       r[column_Fy] = pressed(row, Channel(Channel::Name::Fy).column) +
-             0.02 * std::sin(5.3 * static_cast<double>(i * i + 1));
+                     0.02 * std::sin(5.3 * static_cast<double>(i * i + 1));
     }
     readings = run.readings;
   }
@@ -68,8 +69,8 @@ std::string written(const Lab& lab, const Writing& w) {
   std::string text = w.header;
   for (const Reading& r : lab.readings) {
     text += number(r.t, w.decimal);
-    for (const double value :
-         {(r[column_x] + w.x0) * w.place, (r[column_y] + w.y0) * w.place, r[column_Fx] * w.force, r[column_Fy] * w.force})
+    for (const double value : {(r[column_x] + w.x0) * w.place, (r[column_y] + w.y0) * w.place,
+                               r[column_Fx] * w.force, r[column_Fy] * w.force})
       text += w.between + number(value, w.decimal);
     text += "\n";
   }
@@ -159,7 +160,8 @@ TEST_CASE("runs in one table are cut apart by the column that names them") {
   std::string text = "trial,t,x,y,Fx,Fy\n";
   for (const char* trial : {"a", "b"})
     for (const Reading& r : lab.readings)
-      text += fmt::format("{},{},{:.7g},{:.7g},{:.7g},{:.7g}\n", trial, r.t, r[column_x], r[column_y], r[column_Fx], r[column_Fy]);
+      text += fmt::format("{},{},{:.7g},{:.7g},{:.7g},{:.7g}\n", trial, r.t, r[column_x], r[column_y],
+                          r[column_Fx], r[column_Fy]);
   const Draft draft = draft_experiment("press", model_of(lab), {{"all.csv", text}});
   CHECK(draft.tables.size() == 2);
   CHECK(read(draft).runs.size() == 2);

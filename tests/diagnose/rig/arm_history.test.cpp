@@ -138,7 +138,8 @@ TEST_CASE("dry friction of a joint leaves it off its rest by its slip torque, on
   const double up = trace(1, column_q), down = trace(3, column_q);
   // both near the horizontal, where the weight hardly changes with the angle
   CHECK(down - up == close_to(2 * 0.7 / 1e4).epsilon(1e-4));
-  const double held = trace(1, Channel(Name::drive, 0).column), let = trace(3, Channel(Name::drive, 0).column);
+  const double held = trace(1, Channel(Name::drive, 0).column),
+               let = trace(3, Channel(Name::drive, 0).column);
   CHECK(held - let == close_to(2 * 0.7).epsilon(1e-3));
   CHECK((held + let) / 2 == close_to(-2 * 9.81 * 0.5).epsilon(1e-3));
 }

@@ -88,7 +88,8 @@ TEST_CASE("a softer straight column without imperfection follows the branch of t
   const Study study(on_observed_branches(Study(read)));
   const Prediction without = predict(study, softer, {-0.3});
   REQUIRE(without.reached);
-  CHECK(without.runs[0](30, column_y) == doctest::Approx(read.runs[0].readings.back()[column_y]).epsilon(0.02));
+  CHECK(without.runs[0](30, column_y) ==
+        doctest::Approx(read.runs[0].readings.back()[column_y]).epsilon(0.02));
 }
 
 TEST_CASE("a column held by friction between its branches stays there") {

@@ -21,8 +21,7 @@ Experiment ten_readings() {
   experiment.joint_stiffness = {0, 3};
   experiment.link_mass = {0, 0};
   Run run{"press", Control::end_point, {0.2, 0}, {}};
-  for (int i = 0; i < 10; ++i)
-    run.readings.push_back({0.5 * i * i + i, {0.7 - 0.01 * i, 0.1, -1.0 - i}});
+  for (int i = 0; i < 10; ++i) run.readings.push_back({0.5 * i * i + i, {0.7 - 0.01 * i, 0.1, -1.0 - i}});
   experiment.runs.push_back(run);
   return experiment;
 }
@@ -60,7 +59,8 @@ TEST_CASE("the characteristic scales of an experiment, by hand") {
 TEST_CASE("several runs: the longest duration, the shortest interval, all measured channels") {
   Experiment experiment = ten_readings();
   Run other = experiment.runs[0];
-  for (Reading& r : other.readings) r.t *= 0.25, r[column_Fy] = 0.5, r.value.resize(column_q), r.value.insert(r.value.end(), {0.1, 0.2});
+  for (Reading& r : other.readings)
+    r.t *= 0.25, r[column_Fy] = 0.5, r.value.resize(column_q), r.value.insert(r.value.end(), {0.1, 0.2});
   other.rest = {0, 0.1};
   other.readings[9][column_x] = 0.9;
   experiment.runs.push_back(other);
@@ -154,7 +154,9 @@ TEST_CASE("the excitation of the nominal joints: the largest of each, by hand") 
 
 TEST_CASE("a run: reversals of its command, and a clock that only counts") {
   Run run{"press", Control::end_point, {0}, {}};
-  const auto at = [&](double t, double x, double y) { run.readings.push_back({t, chain_values(x, y, 0, 0, {0})}); };
+  const auto at = [&](double t, double x, double y) {
+    run.readings.push_back({t, chain_values(x, y, 0, 0, {0})});
+  };
   at(0, 0, 0), at(1, 1, 0), at(2, 2, 0.1), at(3, 2, 0.1), at(4, 1.5, 0.1), at(5, nan_value(), 0), at(6, 1, 0),
       at(7, 1, 1), at(8, 1.2, 0.5);
   CHECK(run.turning_points() ==

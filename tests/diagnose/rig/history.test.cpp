@@ -102,8 +102,9 @@ TEST_CASE("the nominal model satisfies k_i (q_i - rest_i) = [J^T F]_i at the imp
     if (experiment.runs[run].control == Control::end_point) {
       CHECK(shape.joint.back()[0] ==
             close_to(experiment.runs[run].readings[reading][column_x]).epsilon(up_to_rounding));
-      CHECK(shape.joint.back()[1] ==
-            doctest::Approx(experiment.runs[run].readings[reading][column_y]).epsilon(up_to_rounding).scale(1));
+      CHECK(
+          shape.joint.back()[1] ==
+          doctest::Approx(experiment.runs[run].readings[reading][column_y]).epsilon(up_to_rounding).scale(1));
     }
   });
 }

@@ -76,7 +76,8 @@ TEST_CASE("an imposed torque gives the angle at which it is measured") {
     RC_ASSERT(torque.reached);
     Experiment loaded = joint_alone(Control::force, k, 0);
     for (std::size_t i = 0; i < 41; ++i)
-      loaded.runs[0].readings[i][column_Fx] = shown(torque, static_cast<Eigen::Index>(i), ChannelName::torque);
+      loaded.runs[0].readings[i][column_Fx] =
+          shown(torque, static_cast<Eigen::Index>(i), ChannelName::torque);
     const Prediction angle = simulate(loaded, rig, {});
     RC_ASSERT(angle.reached);
     // Friction that sticks gives by 1e-5 of its deflection at the slip torque, 0.02 share; where the angle

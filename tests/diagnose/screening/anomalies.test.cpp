@@ -74,7 +74,8 @@ Experiment quiet_run() {
   Run run{"a", plumbline::Control::end_point, {0, 0, 0}, {}};
   for (int i = 0; i < 12; ++i) {
     const double up = i % 2 == 0 ? 1 : -1;
-    run.readings.push_back({2.0 * i, chain_values(0.6, 0, 0.01 * up, 0.01 * up, {1e-3 * up, 1e-3 * up, 1e-3 * up})});
+    run.readings.push_back(
+        {2.0 * i, chain_values(0.6, 0, 0.01 * up, 0.01 * up, {1e-3 * up, 1e-3 * up, 1e-3 * up})});
   }
   experiment.runs.push_back(run);
   return experiment;
@@ -158,7 +159,8 @@ TEST_CASE("a channel that is constant, has too little noise or a lone spike, fro
   CHECK(jump(6, -0.191) == Remarks{"run a: Fy has a lone spike of -0.201 N in reading 6"});
   CHECK(jump(2, -0.191) == Remarks{"run a: Fy has a lone spike of -0.201 N in reading 2"});
   CHECK(jump(11, 0.5) == Remarks{"run a: Fy has a lone spike of 0.51 N in reading 11"});
-  CHECK(remarked([](Readings& all) { all[5][column_Fy] = all[6][column_Fy] = 1; }) == nothing);  // two are no jump
+  CHECK(remarked([](Readings& all) { all[5][column_Fy] = all[6][column_Fy] = 1; }) ==
+        nothing);  // two are no jump
   CHECK(remarked([](Readings& all) {
           all[3][column_Fy] = nan_value();  // readings keep their numbers
           all[6][column_Fy] += 0.5;

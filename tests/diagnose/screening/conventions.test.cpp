@@ -52,8 +52,10 @@ TEST_CASE("a wrong unit, sign, axis or order is named where there is a gap") {
       {"Fx, Fy like forces of the opposite sign", forces_over(-1)},
       {"Fx, Fy like forces with x mirrored", each_reading([](Reading& r) { r[column_Fx] = -r[column_Fx]; })},
       {"Fx, Fy like forces with y mirrored", each_reading([](Reading& r) { r[column_Fy] = -r[column_Fy]; })},
-      {"Fx, Fy like forces with x and y swapped", each_reading([](Reading& r) { std::swap(r[column_Fx], r[column_Fy]); })},
-      {"x, y, Fx, Fy like axes with y mirrored", each_reading([](Reading& r) { r[column_y] = -r[column_y], r[column_Fy] = -r[column_Fy]; })},
+      {"Fx, Fy like forces with x and y swapped",
+       each_reading([](Reading& r) { std::swap(r[column_Fx], r[column_Fy]); })},
+      {"x, y, Fx, Fy like axes with y mirrored",
+       each_reading([](Reading& r) { r[column_y] = -r[column_y], r[column_Fy] = -r[column_Fy]; })},
       {"joint_stiffness like N mm/rad",
        [](Experiment& e) {
          for (double& k : e.joint_stiffness) k *= 1e3;
@@ -95,10 +97,13 @@ TEST_CASE("axes and angles that explain the first readings are named beside any 
   // Two joints a third as stiff as believed, one that bends the chain at rest and a load cell that reads
   // half.
   const std::vector<std::pair<std::string, Spoil>> slips{
-      {"x, y, Fx, Fy like axes with y mirrored", each_reading([](Reading& r) { r[column_y] = -r[column_y], r[column_Fy] = -r[column_Fy]; })},
-      {"x, y, Fx, Fy like axes with x mirrored", each_reading([](Reading& r) { r[column_x] = -r[column_x], r[column_Fx] = -r[column_Fx]; })},
-      {"x, y, Fx, Fy like axes with x and y swapped",
-       each_reading([](Reading& r) { std::swap(r[column_x], r[column_y]), std::swap(r[column_Fx], r[column_Fy]); })},
+      {"x, y, Fx, Fy like axes with y mirrored",
+       each_reading([](Reading& r) { r[column_y] = -r[column_y], r[column_Fy] = -r[column_Fy]; })},
+      {"x, y, Fx, Fy like axes with x mirrored",
+       each_reading([](Reading& r) { r[column_x] = -r[column_x], r[column_Fx] = -r[column_Fx]; })},
+      {"x, y, Fx, Fy like axes with x and y swapped", each_reading([](Reading& r) {
+         std::swap(r[column_x], r[column_y]), std::swap(r[column_Fx], r[column_Fy]);
+       })},
       {"rest like angles in the reverse order",
        each_rest([](std::vector<double>& rest) { std::reverse(rest.begin(), rest.end()); })},
   };
@@ -122,7 +127,8 @@ TEST_CASE("axes are named where only one force component is measured") {
   Experiment experiment = stiffer_bench();
   for (Run& run : experiment.runs)
     if (run.holds_end_point())
-      for (Reading& r : run.readings) r[column_Fx] = std::exchange(r[column_Fy], std::numeric_limits<double>::quiet_NaN());
+      for (Reading& r : run.readings)
+        r[column_Fx] = std::exchange(r[column_Fy], std::numeric_limits<double>::quiet_NaN());
   const auto suspected = suspected_convention(Study(experiment));
   REQUIRE(suspected);
   const std::vector<std::string> all = names(*suspected);
@@ -200,7 +206,8 @@ TEST_CASE("nothing is asked where the answer would mend half of the gap") {
   load(bench, {0.3, 0.2, 0.1}, {0, 0}, {0, 1.5}, 20);
   Experiment read = measured(bench, only("stiffness_scale"), {0.8}, 5);
   for (Reading& reading : read.runs[0].readings)
-    for (std::size_t j = 0; j < bench.runs[0].rest.size(); ++j) reading[column_q + j] = bench.runs[0].rest[j] * 20;
+    for (std::size_t j = 0; j < bench.runs[0].rest.size(); ++j)
+      reading[column_q + j] = bench.runs[0].rest[j] * 20;
   CHECK_FALSE(suspected_convention(Study(read)));
 }
 
@@ -209,7 +216,8 @@ TEST_CASE(
   const auto asked = [](double share, std::size_t from) {
     Experiment experiment = stiffer_bench();
     for (std::size_t r = from; r < experiment.runs.size(); ++r)
-      for (Reading& reading : experiment.runs[r].readings) reading[column_Fx] *= -share, reading[column_Fy] *= -share;
+      for (Reading& reading : experiment.runs[r].readings)
+        reading[column_Fx] *= -share, reading[column_Fy] *= -share;
     return suspected_convention(Study(experiment)).has_value();
   };
   CHECK(asked(1, 0));

@@ -79,7 +79,8 @@ inline std::vector<Slip> slips_of_units() {
                    [unit](Experiment& e) { scale(e.joint_stiffness, 1 / unit); }});
   }
   all.push_back({"rest like degrees", each_rest([](std::vector<double>& rest) { scale(rest, degree); })});
-  all.push_back({"q like degrees", each_reading([](Reading& r) { each_angles(r, [](auto& q) { scale(q, degree); }); }), true});
+  all.push_back({"q like degrees",
+                 each_reading([](Reading& r) { each_angles(r, [](auto& q) { scale(q, degree); }); }), true});
   return all;
 }
 
@@ -99,10 +100,13 @@ inline std::vector<Slip> slips_of_axes() {
       {"Fx, Fy like forces with y mirrored", each_reading([](Reading& r) { r[column_Fy] = -r[column_Fy]; })},
       {"Fx, Fy like forces with x and y swapped", forces},
       {"x, y like an end point with x and y swapped", positions},
-      {"x, y like an end point with y mirrored", each_reading([](Reading& r) { r[column_y] = -r[column_y]; })},
+      {"x, y like an end point with y mirrored",
+       each_reading([](Reading& r) { r[column_y] = -r[column_y]; })},
       {"x, y, Fx, Fy like axes with x and y swapped", [=](Experiment& e) { forces(e), positions(e); }},
-      {"x, y, Fx, Fy like axes with x mirrored", each_reading([](Reading& r) { r[column_x] = -r[column_x], r[column_Fx] = -r[column_Fx]; })},
-      {"x, y, Fx, Fy like axes with y mirrored", each_reading([](Reading& r) { r[column_y] = -r[column_y], r[column_Fy] = -r[column_Fy]; })},
+      {"x, y, Fx, Fy like axes with x mirrored",
+       each_reading([](Reading& r) { r[column_x] = -r[column_x], r[column_Fx] = -r[column_Fx]; })},
+      {"x, y, Fx, Fy like axes with y mirrored",
+       each_reading([](Reading& r) { r[column_y] = -r[column_y], r[column_Fy] = -r[column_Fy]; })},
   };
 }
 

@@ -26,7 +26,8 @@ Experiment one_joint(const std::vector<double>& forces, double interval = 1) {
   experiment.link_mass = {0};
   Run run{"load", Control::force, {0.0}, {}};
   for (const double force : forces)
-    run.readings.push_back({interval * static_cast<double>(run.readings.size()), chain_values(0, 0, 0, force, {0})});
+    run.readings.push_back(
+        {interval * static_cast<double>(run.readings.size()), chain_values(0, 0, 0, force, {0})});
   experiment.runs.push_back(run);
   return experiment;
 }

@@ -66,7 +66,8 @@ TEST_CASE("a covariate that goes with the time acts as the time does") {
     const std::vector<Reading> by_covariate = readings_with(covariate), by_time = readings_with(time);
     REQUIRE(by_covariate.size() == by_time.size());
     // the same expression of the same numbers
-    for (std::size_t i = 0; i < by_time.size(); ++i) CHECK(by_covariate[i][column_Fx] == by_time[i][column_Fx]);
+    for (std::size_t i = 0; i < by_time.size(); ++i)
+      CHECK(by_covariate[i][column_Fx] == by_time[i][column_Fx]);
   }
 }
 
