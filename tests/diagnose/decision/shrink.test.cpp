@@ -177,7 +177,7 @@ TEST_CASE("bounds of the shrink: 1.96 deviations of the ratio of white noise to 
 TEST_CASE("what is held out is hidden whole, what was commanded stays") {
   Experiment experiment = full_bench();  // press and back, press, load by force
   for (Run& run : experiment.runs)
-    for (Reading& reading : run.readings) reading = {reading.t, 1, 2, 3, 4, {5, 6, 7}};
+    for (Reading& reading : run.readings) reading = {reading.t, chain_values(1, 2, 3, 4, {5, 6, 7})};
   HeldOut held;
   for (const Run& run : experiment.runs) held.reading.emplace_back(run.readings.size(), false);
   for (auto& run : held.reading) run[2] = run[3] = true;
