@@ -143,7 +143,8 @@ class Draw:
             loads += table.get("loads", [])
         table["loads"] = loads
         if self.chance(0.7):
-            table["masses"] = self.several(links)
+            moves = isinstance(table.get("base"), dict) and table["base"].get("across", "held") != "held"
+            table["masses"] = self.several(links + moves)
         return table
 
     def touching(self):
@@ -184,14 +185,14 @@ class Draw:
             axes = self.axes()
             joints.append({"axes": axes, "stiffness": self.several(len(axes), 0.08)})
         table = {"lengths": self.several(links), "joints": joints}
-        words = self.random.choice(["", "jointed", "clamped"])
+        words = self.random.choice(["", "jointed", "clamped", "bearing"])
         if words:
-            table["base"] = words
-        if words == "clamped":
+            table["base"] = {"turn": "held"} if words == "clamped" and self.chance(0.2) else words
+        if words in ("clamped", "bearing"):
             joints[0]["stiffness"] = ["=0"] * len(joints[0]["axes"])
         words = self.random.choice(["", "guided", "free", "free", "clamped"])
         if words:
-            table["end_point"] = words
+            table["end_point"] = {"across": "free"} if words == "free" and self.chance(0.2) else words
         return table, links
 
     def space_dead(self):
