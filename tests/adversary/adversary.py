@@ -14,8 +14,8 @@ from draw import Draw, toml
 from program import Program
 from tally import Tally
 
-# of ten structures so many are of a kind
-SHARES = {"dead": 25, "follower": 12, "touching": 8, "space_dead": 15, "torque": 6, "census": 14, "path": 12, "path_in_space": 8}
+# of a hundred structures so many are of a kind
+SHARES = {"dead": 20, "follower": 12, "touching": 8, "space_dead": 12, "torque": 6, "census": 14, "path": 10, "path_in_space": 8, "ill": 10}
 
 
 def judged(program, kind, draw, text, tally):
@@ -27,6 +27,8 @@ def judged(program, kind, draw, text, tally):
         return judge_bent.paths(program, text, tally, factor)
     if kind == "path_in_space":
         return judge_bent.paths(program, text, tally, factor) + judge_bent.equilibria(program, text, tally, factor, 0, 0)
+    if kind == "ill" and draw.chance(0.5):
+        return judge_bent.paths(program, text, tally, factor)
     return judge_straight.critical(program, text, tally, digits)
 
 

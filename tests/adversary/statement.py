@@ -150,7 +150,7 @@ def load(table, lengths, size):
         return weights(table, lengths, size)
     node = len(lengths)
     if "at" in table:
-        demand(isinstance(table["at"], int) and 2 <= table["at"] <= len(lengths), "at names no joint")
+        demand(type(table["at"]) is int and 2 <= table["at"] <= len(lengths), "at names no joint")
         node = table["at"] - 1
     if kind == "force":
         return [Load(kind, node, vector(table["force"], size, "force"), fixed)]
@@ -164,7 +164,8 @@ def joints_of(table, count):
     demand(isinstance(table, list) and len(table) == count, "joints are not one a link")
     result = []
     for joint in table:
-        demand(isinstance(joint, dict) and set(joint) == {"axes", "stiffness"}, "a joint has axes and stiffness")
+        demand(isinstance(joint, dict) and set(joint) == {"axes", "stiffness"} and isinstance(joint["axes"], list),
+               "a joint has axes and stiffness")
         springs = numbers(joint["stiffness"], "stiffness")
         axes = [vector(axis, 3, "axis") for axis in joint["axes"]]
         demand(1 <= len(axes) <= 3 and len(axes) == len(springs), "a joint has one to three axes, with a spring each")
@@ -175,10 +176,11 @@ def joints_of(table, count):
 
 
 def supports_of(table, links):
+    demand(isinstance(table, list), "supports are no list")
     result = {}
     for support in table:
         demand(isinstance(support, dict) and set(support) == {"at", "across"}, "a support has at and across")
-        demand(isinstance(support["at"], int) and 2 <= support["at"] <= links, "a support's at names no joint")
+        demand(type(support["at"]) is int and 2 <= support["at"] <= links, "a support's at names no joint")
         demand(support["at"] - 1 not in result, "two supports at one joint")
         result[support["at"] - 1] = held(support["across"], "across")
     return result
@@ -209,6 +211,7 @@ def read(text):
     foundation = number(table.get("foundation", 0), "foundation")
     demand(foundation >= 0, "foundation is negative")
     size = 3 if space else 2
+    demand(isinstance(table.get("loads", []), list), "loads are no list")
     loads = [l for item in table["loads"] for l in load(item, lengths, size)] if "loads" in table else \
         [Load("force", len(lengths), (Fraction(-1), Fraction(0), Fraction(0)))]
     demand(loads, "no load")
