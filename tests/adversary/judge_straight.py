@@ -64,7 +64,7 @@ def of_modes(statement, line, answer, tally):
     chain, = answer.json()["chains"]
     if "modes" not in chain and "modes_in_space" not in chain:
         return [(CERTIFIED, "no modes")]
-    printed = [(mode["mode"], mode["force"], mode["q"]) for mode in chain.get("modes", chain.get("modes_in_space"))]
+    printed = [(mode["mode"], mode["force"], mode["q"], mode.get("fy")) for mode in chain.get("modes", chain.get("modes_in_space"))]
     faults, right = modes.faults(line, statement, printed, random.Random(1))
     faults += word_faults(chain.get("modes", []))
     tally.checked["critical factors"] += right
