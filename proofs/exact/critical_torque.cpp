@@ -4,9 +4,8 @@
 
 namespace plumbline::proofs {
 
-CriticalTorque critical_torque(const SpaceChain<Rational>& chain, const SpaceLoad<Rational>& ends,
-                               TorqueKind kind, int digits) {
-  const TorquePencil<Rational> pencil = torque_pencil(chain, ends, kind);
+CriticalTorque critical_torque(const SpaceStructure<Rational>& structure, int digits) {
+  const TorquePencil<Rational> pencil = torque_pencil(structure);
   if (determinant(pencil.stiffness) == 0)
     throw Error("structure", "a mechanism, which moves across without any force",
                 "ends, springs and stiffnesses that hold it");

@@ -122,22 +122,15 @@ std::size_t SturmSequence::distinct_roots(const Rational& low, const Rational& h
   return changes(low) - changes(high);
 }
 
-Rational discriminant(const Polynomial& p) {
-  // Euclid's algorithm: Res(f, g) = (-1)^(mn) lc(g)^(m - deg r) Res(g, r), r the remainder of f by g
-  Polynomial f = p, g = derivative(p);
-  Rational result = 1;
-  while (g.size() > 1) {
-    const std::size_t m = f.size() - 1, n = g.size() - 1;
-    Polynomial r = remainder(f, g);
-    if (r.empty()) return 0;
-    for (std::size_t i = 0; i < m - (r.size() - 1); ++i) result *= g.back();
-    if (m * n % 2 == 1) result = -result;
-    f = std::move(g);
-    g = std::move(r);
+Polynomial squarefree(const Polynomial& p) {
+  if (p.empty()) throw Error("polynomial", "zero", "a polynomial that is not identically zero");
+  const Polynomial common = sturm_sequence(p).back();  // of p and its derivative
+  Polynomial rest = p, quotient(p.size() - common.size() + 1, Rational(0));
+  for (std::size_t shift = quotient.size(); shift-- > 0;) {
+    quotient[shift] = rest[shift + common.size() - 1] / common.back();
+    for (std::size_t i = 0; i < common.size(); ++i) rest[i + shift] -= quotient[shift] * common[i];
   }
-  for (std::size_t i = 1; i < f.size(); ++i) result *= g.empty() ? Rational(0) : g.back();
-  const std::size_t degree = p.size() - 1;
-  return (degree * (degree - 1) / 2) % 2 == 1 ? Rational(-result / p.back()) : Rational(result / p.back());
+  return quotient;
 }
 
 }  // namespace plumbline::proofs

@@ -21,11 +21,13 @@ class PositiveRoots {
 
   /// The lowest root above `from`, which is no root, or is zero; nothing where there is none.
   [[nodiscard]] std::optional<RootBracket> next(const Rational& from) const;
-  /// Whether the root in a bracket lies at x or below.
+  /// Whether the root in a bracket lies at x, which is in the bracket, or below.
   [[nodiscard]] bool reached(const RootBracket& bracket, const Rational& x) const;
+  /// The root in a bracket where it is a fraction of up to twenty digits over as many; else nothing.
+  [[nodiscard]] std::optional<Rational> as_fraction(const RootBracket& bracket) const;
 
  private:
-  Polynomial p_;
+  Polynomial p_;  ///< each root once, so that it has another sign to either side
   SturmSequence sturm_;
   Rational end_;  ///< beyond all roots
 };
