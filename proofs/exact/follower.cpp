@@ -99,17 +99,15 @@ std::vector<MotionChange> all_changes(const StraightMotion<Rational>& motion, in
   const SturmSequence zeros(where.zero);
   std::vector<MotionChange> changes;
   Motion below = Motion::stable;
-  Rational from = 0;
-  while (const auto root = roots.next(from)) {
-    from = root->high;
-    const Motion above = motion_at(motion, root->high);
-    const bool is_zero = zeros.distinct_roots(root->low, root->high) > 0;
+  for (const RootBracket& root : roots.all()) {
+    const Motion above = motion_at(motion, root.high);
+    const bool is_zero = zeros.distinct_roots(root.low, root.high) > 0;
     Motion at = below == above ? below : Motion::undecided;
     if (is_zero) at = Motion::divergence;
-    if (!is_zero && below == Motion::stable && above == Motion::stable) at = at_touch(motion, roots, *root);
+    if (!is_zero && below == Motion::stable && above == Motion::stable) at = at_touch(motion, roots, root);
     if (below != above || (at != below && below == Motion::stable)) {
       NarrowBracket found =
-          narrowed(*root, digits, [&](const Rational& factor) { return roots.reached(*root, factor); });
+          narrowed(root, digits, [&](const Rational& factor) { return roots.reached(root, factor); });
       changes.push_back({std::move(found.low), std::move(found.high), std::move(found.decimal), at, above});
     }
     below = above;

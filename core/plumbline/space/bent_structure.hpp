@@ -58,7 +58,7 @@ class BentStructure {
   using Real = Number_;                     ///< the number type
   using Place = Eigen::Matrix<Real, 3, 1>;  ///< a point or a vector, x, y, z
 
-  /// At rest all springs, those of the supports among them, are slack.
+  /// At rest all springs, those of the supports among them, are slack. \throws Error where nothing can move
   BentStructure(SpaceChain<Real> chain, SpaceSetting<Real> setting)
       : chain_(std::move(chain)), setting_(std::move(setting)) {
     using std::sqrt;
@@ -72,6 +72,8 @@ class BentStructure {
     for (std::size_t a = 0; a < axes_.size(); ++a) {
       if (axes_[a].turns) free_.push_back(a);
     }
+    if (size() == 0)
+      throw Error("structure", "nothing that can move", "a joint that turns, or a base that slides");
     const Kinematics at_rest = kinematics(rest());
     rest_place_ = at_rest.place;
     rest_direction_ = at_rest.direction;
