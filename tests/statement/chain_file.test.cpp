@@ -25,7 +25,7 @@ SpaceStructure<Rational> space(const std::string& text) {
 }
 
 const std::string two_links = "lengths = [1, 1]\nstiffness = [0, 1]\n";
-const std::string in_space =
+const std::string two_in_space =
     "lengths = [1, 1]\njoints = [{ axes = [[0, 0, 1]], stiffness = [0] }, { axes = [[0, 1, 0]], stiffness = "
     "[1] "
     "}]\n";
@@ -59,20 +59,20 @@ TEST_CASE("a key that is there and of another type is an error, in the plane and
       {two_links + "masses = 1\n", "masses: found 1, expected a list"},
       {two_links + "masses = [1, -1]\n", "masses: found a negative value"},
       {two_links + "masses = [1, 1, 1, 1]\n", "masses: found 4 values"},
-      {in_space + "base = \"sprung\"\n", "base: found sprung, expected \"jointed\""},
-      {in_space + "base = { across = \"free\" }\n", "base: found one that moves"},
-      {in_space + "base = { turn = 2 }\n", "base: found a spring that turns"},
-      {in_space + "end_point = { along = \"held\" }\n", "held or sprung along"},
-      {in_space + "end_point = { turn = 1 }\n", "a spring against turning in space"},
-      {in_space + "end_point = true\n", "end_point: found true"},
-      {in_space + "loads = [{ force = [-1, 0] }]\n", "force: found 2 values, expected 3"},
-      {in_space + "loads = [{ weight = 1 }]\n", "weight: found 1, expected a list"},
-      {in_space + "loads = [{ torque = \"axial\", fixed = true }]\n", "a torque that is fixed"},
-      {in_space + "loads = [{ torque = \"axial\" }, { force = [-1, 0, 0] }]\n",
+      {two_in_space + "base = \"sprung\"\n", "base: found sprung, expected \"jointed\""},
+      {two_in_space + "base = { across = \"free\" }\n", "base: found one that moves"},
+      {two_in_space + "base = { turn = 2 }\n", "base: found a spring that turns"},
+      {two_in_space + "end_point = { along = \"held\" }\n", "held or sprung along"},
+      {two_in_space + "end_point = { turn = 1 }\n", "a spring against turning in space"},
+      {two_in_space + "end_point = true\n", "end_point: found true"},
+      {two_in_space + "loads = [{ force = [-1, 0] }]\n", "force: found 2 values, expected 3"},
+      {two_in_space + "loads = [{ weight = 1 }]\n", "weight: found 1, expected a list"},
+      {two_in_space + "loads = [{ torque = \"axial\", fixed = true }]\n", "a torque that is fixed"},
+      {two_in_space + "loads = [{ torque = \"axial\" }, { force = [-1, 0, 0] }]\n",
        "a torque beside other loads"},
-      {in_space + "loads = [{ force = [-1, 0, 0], fixed = \"no\" }]\n", "fixed: found no"},
-      {in_space + "masses = [1, 1]\n", "the unknown key masses"},
-      {in_space + "stiffness = [1, 1]\n", "the unknown key stiffness"},
+      {two_in_space + "loads = [{ force = [-1, 0, 0], fixed = \"no\" }]\n", "fixed: found no"},
+      {two_in_space + "masses = [1, 1]\n", "the unknown key masses"},
+      {two_in_space + "stiffness = [1, 1]\n", "the unknown key stiffness"},
       {"lengths = [1]\njoints = [{ axes = [0, 0, 1], stiffness = [1] }]\n", "axes: found"},
       {"lengths = [1]\njoints = [{ axes = [[0, 0, 1]], stiffness = [1, 2] }]\n", "stiffness: found 2 values"},
       {"lengths = [1]\njoints = 1\n", "joints: found 1"},
@@ -101,7 +101,8 @@ TEST_CASE("ends and supports that contradict each other are refused") {
       {two_links + "base = { turn = 2 }\n", "a spring that turns beside that of joint 1"},
       {two_links + "base = \"sprung\"\n", "\"sprung\" without a spring at joint 1"},
       {two_links + "supports = [{ at = 2, across = 3 }, { at = 2, across = \"free\" }]\n", "joint 2 again"},
-      {in_space + "supports = [{ at = 2, across = 3 }, { at = 2, across = \"free\" }]\n", "joint 2 again"},
+      {two_in_space + "supports = [{ at = 2, across = 3 }, { at = 2, across = \"free\" }]\n",
+       "joint 2 again"},
       {"lengths = [1]\njoints = [{ axes = [[0, 0, 1]], stiffness = [1] }]\nbase = \"clamped\"\n",
        "springs at joint 1 of a clamped base"},
       {"lengths = [1]\njoints = [{ axes = [[0, 0, 1]], stiffness = [1] }]\nbase = \"bearing\"\n",
@@ -117,7 +118,7 @@ TEST_CASE("a word and the table that it stands for are one end, in the plane and
   for (const auto& [word, table] :
        {std::pair("\"guided\"", "{ across = \"held\" }"), std::pair("\"free\"", "{ across = \"free\" }"),
         std::pair("\"clamped\"", "{ across = \"held\", turn = \"held\" }")}) {
-    for (const std::string& chain : {two_links, in_space}) {
+    for (const std::string& chain : {two_links, two_in_space}) {
       CAPTURE(word);
       const auto end = [&](const std::string& said) {
         const StatedChain read = parse_chain(chain + "end_point = " + said + "\n", "c.toml");
@@ -130,8 +131,8 @@ TEST_CASE("a word and the table that it stands for are one end, in the plane and
       CHECK(end(table).along.is_free());
     }
   }
-  CHECK(space(in_space + "base = { turn = \"held\" }\n").base == SpaceBase::clamped);
-  CHECK(space(in_space).base == SpaceBase::jointed);
+  CHECK(space(two_in_space + "base = { turn = \"held\" }\n").base == SpaceBase::clamped);
+  CHECK(space(two_in_space).base == SpaceBase::jointed);
   CHECK(plane(two_links + "base = { turn = \"held\" }\n").base.turn.is_held());
 }
 
@@ -152,5 +153,5 @@ TEST_CASE("a chain within another file's table is read as it is") {
             .end_point.across.is_free());
   CHECK(parse_plane_chain(two_links, "c.toml").plain);
   CHECK(!parse_plane_chain(two_links + "base = \"pinned\"\n", "c.toml").plain);
-  CHECK_THROWS_AS(parse_plane_chain(in_space, "c.toml"), Error);
+  CHECK_THROWS_AS(parse_plane_chain(two_in_space, "c.toml"), Error);
 }

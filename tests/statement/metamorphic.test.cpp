@@ -100,8 +100,8 @@ void same(const Draft& one, const Draft& other) {
   RC_ASSERT(factors(one.text()) == factors(other.text()));
 }
 
-/// The force or torque along x of unit size that a chain file without a sign leaves out.
-std::string in_space(const Draft& draft) {
+/// The same chain with joints about z.
+std::string as_in_space(const Draft& draft) {
   std::vector<std::string> joints, loads;
   for (const std::string& k : draft.stiffness)
     joints.push_back("{ axes = [[0, 0, 1]], stiffness = [" + k + "] }");
@@ -174,12 +174,12 @@ TEST_CASE("a chain in the plane is a chain in space whose axes are all alike") {
     Draft draft = random_draft();
     const bool held = one_in(2);
     draft.end = "{ across = " + restraint() + (held ? ", turn = \"held\" }" : " }");
-    RC_LOG() << draft.text() << "\n" << in_space(draft);
+    RC_LOG() << draft.text() << "\n" << as_in_space(draft);
     const auto plane = factors(draft.text());
     if (proofs::parse_decimal(plane[0])) {
-      RC_ASSERT(plane == factors(in_space(draft)));
+      RC_ASSERT(plane == factors(as_in_space(draft)));
     } else {
-      RC_ASSERT(!proofs::parse_decimal(factors(in_space(draft))[0]));
+      RC_ASSERT(!proofs::parse_decimal(factors(as_in_space(draft))[0]));
     }
   });
 }
@@ -199,7 +199,7 @@ TEST_CASE("a path counts the negative directions of the straight line as the cri
   check_property("verbs", [] {
     const Draft draft = random_draft();
     RC_LOG() << draft.text();
-    const std::string text = one_in(2) ? draft.text() : in_space(draft);
+    const std::string text = one_in(2) ? draft.text() : as_in_space(draft);
     const StatedChain chain = parse_chain(text, "c");
     const auto found = factors(text);
     RC_PRE(proofs::parse_decimal(found[0]).has_value());

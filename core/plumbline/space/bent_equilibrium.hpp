@@ -201,13 +201,10 @@ class BentSolver {
   }
   /// Whether everything is held, what the others imply too, and every component of the forces is balanced:
   /// where constraints are dependent at one shape alone the equations may be solved without either.
-  [[nodiscard]] bool at_rest() const {
-    using std::sqrt;
-    const Real near = sqrt(epsilon<Real>());
-    Real reach(0);
-    for (const Real& length : model_->chain().length) reach += length;
-    if (at_.held.size() > 0 && at_.held.cwiseAbs().maxCoeff() > near * (reach + Real(1))) return false;
-    return !(at_.gradient.cwiseAbs().maxCoeff() > near * at_.hessian.cwiseAbs().maxCoeff());
+  [[nodiscard]] bool at_rest(const Real& factor) const {
+    const Real enough = Real(1e5) * epsilon<Real>();
+    if (at_.held.size() > 0 && at_.held.cwiseAbs().maxCoeff() > enough * model_->reach()) return false;
+    return !(at_.gradient.cwiseAbs().maxCoeff() > enough * model_->moment_scale(factor));
   }
 
   /// [H + damping, C^T; C, 0], whose second unknowns are minus the multipliers; a constraint that others
@@ -246,7 +243,7 @@ class BentSolver {
   /// Nothing where it is not at rest.
   std::optional<BentPoint<Real>> described(BentPoint<Real> point, const Row& row) {
     expand(point.x, point.factor, point.multiplier);
-    if (!at_rest()) return std::nullopt;
+    if (!at_rest(point.factor)) return std::nullopt;
     Matrix<Real> K = matrix(Real(0));
     const std::size_t negative = negative_eigenvalues(K);
     point.negative_directions = negative > rank_ ? negative - rank_ : 0;

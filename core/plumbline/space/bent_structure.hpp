@@ -115,6 +115,24 @@ class BentStructure {
     }
     return x;
   }
+  /// The length of all links.
+  [[nodiscard]] Real reach() const {
+    Real sum(0);
+    for (const Real& length : chain_.length) sum += length;
+    return sum;
+  }
+  /// What springs and loads can turn a joint with: the moment beside which another is small.
+  [[nodiscard]] Real moment_scale(const Real& factor) const {
+    using std::abs;
+    const Real r = reach();
+    Real sum = abs(setting_.moment * factor) + setting_.turn.stiffness;
+    for (const TurningAxis& axis : axes_) sum += axis.stiffness;
+    for (const auto& hold : setting_.holds) sum += hold.restraint.stiffness * r * r;
+    for (const auto& slide : setting_.slides) sum += slide.restraint.stiffness * r * r;
+    for (const auto& force : setting_.forces)
+      sum += (force.multiplied ? abs(factor) : Real(1)) * force.force.cwiseAbs().maxCoeff() * r;
+    return sum;
+  }
   /// Its links and joints.
   [[nodiscard]] const SpaceChain<Real>& chain() const { return chain_; }
 
