@@ -197,9 +197,11 @@ TEST_CASE("a support where a clamp already holds the chain changes nothing") {
 
 TEST_CASE("a path counts the negative directions of the straight line as the critical factors do") {
   check_property("verbs", [] {
-    const Draft draft = random_draft();
-    RC_LOG() << draft.text();
-    const std::string text = one_in(2) ? draft.text() : as_in_space(draft);
+    Draft draft = random_draft();
+    const bool spatial = one_in(2);
+    if (spatial) draft.end = "{ across = " + restraint() + (one_in(2) ? " }" : ", turn = \"held\" }");
+    const std::string text = spatial ? as_in_space(draft) : draft.text();
+    RC_LOG() << text;
     const StatedChain chain = parse_chain(text, "c");
     const auto found = factors(text);
     RC_PRE(proofs::parse_decimal(found[0]).has_value());

@@ -110,10 +110,12 @@ TEST_CASE("the energy of an equilibrium falls with the factor by what the loads 
   // dV = -(work of a unit of the factor) dF along equilibria; Simpson's rule errs by h^4 / 180 of the fourth
   // derivative, here below 1e-9
   constexpr int steps = 200;
-  const double h = 1.0 / steps, begin = model.potential(point.x, 0);
+  const double last = 0.8, h = last / steps, begin = model.potential(point.x, 0);
   double work = 0;
   for (int i = 0; i <= steps; ++i) {
-    point = *solver.at_factor(point.x, i * h, point.multiplier);
+    const auto next = solver.at_factor(point.x, i * h, point.multiplier);
+    REQUIRE(next.has_value());
+    point = *next;
     BentExpansion<double> at;
     model.expand(point.x, point.factor, point.multiplier, at);
     double unit = structure.moment * point.x.sum();
@@ -123,5 +125,5 @@ TEST_CASE("the energy of an equilibrium falls with the factor by what the loads 
     }
     work += unit * (i == 0 || i == steps ? 1 : i % 2 == 1 ? 4 : 2) * h / 3;
   }
-  CHECK(model.potential(point.x, 1) - begin == doctest::Approx(-work).epsilon(1e-8));
+  CHECK(model.potential(point.x, last) - begin == doctest::Approx(-work).epsilon(1e-8));
 }

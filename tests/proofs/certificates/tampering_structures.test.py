@@ -28,7 +28,7 @@ def lies(document, path):
     if key == "format":
         return
     if key in ("kind", "at", "above") and "chain" not in path:
-        yield {"divergence": "flutter", "flutter": "divergence", "stable": "flutter", "undecided": "divergence"}[old]
+        yield {"divergence": "flutter", "flutter": "divergence", "stable": "flutter", "undecided": "stable"}[old]
     elif key in ("low", "high"):
         low, high = Fraction(parent["low"]), Fraction(parent["high"])
         outwards = -1 if key == "low" else 1
@@ -82,7 +82,7 @@ def forgeries(document):
                 if not (isinstance(value, str) and "chain" in path and true_too(chain, path, value)):
                     yield changed(document, path, value), (*path, value)
     # what a chain file may leave out, and a spring, a load or a support fewer, is another chain, but no less a statement
-    for forgery, what in incomplete(document, set(), {"supports", "factors"}):
+    for forgery, what in incomplete(document, {"changes"}, {"supports", "factors"}):
         if "chain" not in what or what[-1] == "unknown member" or "lengths" in what:
             yield forgery, what
 
