@@ -242,6 +242,9 @@ std::vector<CriticalMode> StraightStructure::in_decimals(std::size_t lowest, int
 
 void StraightStructure::add_string_shapes(std::vector<CriticalMode>& modes, int digits) const {
   auto found = modes_in_decimals(string_->straight(), modes.size(), digits);
+  // the springs of a guided string are shares of the compression, and so is the force that its guide takes up
+  const Rational unit =
+      string_->end_point == EndPoint::guided ? compression(structure_).multiplied[0] : Rational(1);
   for (std::size_t m = 0; m < modes.size(); ++m) {
     std::vector<double> q(structure_.chain.size(), 0.0);
     std::string signs(structure_.chain.size(), '0');
@@ -258,7 +261,7 @@ void StraightStructure::add_string_shapes(std::vector<CriticalMode>& modes, int 
     }
     Rational size;
     mpq_set_d(size.backend().data(), scale == 0 ? 1 : scale);
-    modes[m].fy = found[m].fy / size;
+    modes[m].fy = found[m].fy * unit / size;
   }
 }
 
