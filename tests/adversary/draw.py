@@ -143,7 +143,8 @@ class Draw:
             loads += table.get("loads", [])
         table["loads"] = loads
         if self.chance(0.7):
-            table["masses"] = self.several(links)
+            moves = isinstance(table.get("base"), dict) and table["base"].get("across", "held") != "held"
+            table["masses"] = self.several(links + moves)
         return table
 
     def touching(self):
@@ -184,14 +185,14 @@ class Draw:
             axes = self.axes()
             joints.append({"axes": axes, "stiffness": self.several(len(axes), 0.08)})
         table = {"lengths": self.several(links), "joints": joints}
-        words = self.random.choice(["", "jointed", "clamped"])
+        words = self.random.choice(["", "jointed", "clamped", "bearing"])
         if words:
-            table["base"] = words
-        if words == "clamped":
+            table["base"] = {"turn": "held"} if words == "clamped" and self.chance(0.2) else words
+        if words in ("clamped", "bearing"):
             joints[0]["stiffness"] = ["=0"] * len(joints[0]["axes"])
         words = self.random.choice(["", "guided", "free", "free", "clamped"])
         if words:
-            table["end_point"] = words
+            table["end_point"] = {"across": "free"} if words == "free" and self.chance(0.2) else words
         return table, links
 
     def space_dead(self):
@@ -206,6 +207,29 @@ class Draw:
         for joint in table["joints"]:
             joint["axes"] = [["=0"] + axis[1:] if axis[1:] != ["=0", "=0"] else ["=0", "=0", "=1"] for axis in joint["axes"]]
         table["loads"] = [{"torque": self.random.choice(["semitangential", "axial", "tangential"])}]
+        return table
+
+    # statements that contradict themselves or the documents
+
+    def ill(self):
+        """A structure with one thing in it that no document has."""
+        space = self.chance(0.3)
+        table = self.space_dead() if space else self.dead()
+        table.setdefault("loads", [{"force": ["=-1"] + ["=0"] * (2 if space else 1)}])
+        load, links = self.random.choice(table["loads"]), len(table["lengths"])
+        key, value = self.random.choice([
+            ("lengths", ["=1"] * (links + 1)), ("lengths", ["=-1"] * links), ("lengths", "long"), ("foundation", ["=1"]), ("foundation", True),
+            ("base", 3), ("base", "loose"), ("base", {"along": "held", "acros": 1}), ("base", {"across": True}), ("end_point", []),
+            ("end_point", {"turn": "fixed"}), ("end_point", {"along": "held"}), ("loads", {"force": [-1, 0]}), ("loads", [{}]), ("loads", []),
+            ("supports", [{"at": 1, "across": 1}]), ("supports", [{"at": links + 1, "across": "held"}]), ("supports", [{"at": 2.5, "across": 1}]),
+            ("supports", [{"at": 2, "across": 1}] * 2), ("supports", [{"at": 2}]), ("supports", [{"at": 2, "across": True}]),
+            ("supports", {"at": 2, "across": 1}), ("masses", ["=1"] * (links + 2)), ("masses", "heavy"), ("weight", 1),
+            ("stiffness" if not space else "rest", ["=1"] * (links + 1)), ("joints", [{"axes": [[0, 0, 1]], "stiffness": [1]}] * (links + 1)),
+            ("fixed", "true"), ("fixed", 1), ("at", 0), ("at", links + 1), ("at", "2"), ("colour", 1), ("moment", 1), ("follower", "one")])
+        if key in ("fixed", "at", "colour", "moment", "follower"):
+            load[key] = value
+        else:
+            table[key] = value
         return table
 
     # bent

@@ -97,7 +97,7 @@ def equilibria(program, text, tally, factor, starts, seed):
         return verdict
     line = straight(statement)
     if answer.refused:
-        return against(why_no_path(line), answer)
+        return against(why_no_path(line) or (beyond(statement) if certify else ""), answer)
     if why_no_path(line) and not certify:
         return [("unsettled", "")]
     said = answer.json()
@@ -106,6 +106,13 @@ def equilibria(program, text, tally, factor, starts, seed):
     if said["complete"]:
         faults += [(CERTIFIED, f) for f in missing(statement, said, printed, starts, seed, tally)]
     return faults[:2] or [("unsettled" if undecided else "answered", "")]
+
+
+def beyond(statement):
+    """The limits of certified censuses that docs/ends-and-loads.md states."""
+    if energy.shifts(statement) != (False, False) or statement.end_point.along != "free":
+        return "a census takes no base that moves, and no end point held along"
+    return "a census takes no joint held across" if "held" in statement.supports.values() else ""
 
 
 def numbers_of(equilibrium, factor):

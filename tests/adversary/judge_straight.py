@@ -64,7 +64,7 @@ def of_modes(statement, line, answer, tally):
     chain, = answer.json()["chains"]
     if "modes" not in chain and "modes_in_space" not in chain:
         return [(CERTIFIED, "no modes")]
-    printed = [(mode["mode"], mode["force"], mode["q"]) for mode in chain.get("modes", chain.get("modes_in_space"))]
+    printed = [(mode["mode"], mode["force"], mode["q"], mode.get("fy")) for mode in chain.get("modes", chain.get("modes_in_space"))]
     faults, right = modes.faults(line, statement, printed, random.Random(1))
     faults += word_faults(chain.get("modes", []))
     tally.checked["critical factors"] += right
@@ -114,8 +114,7 @@ def of_loss(program, text, line, answer, tally, digits):
 def loss_faults(said, words, found):
     """Of the loss that is stated, against the events in their order."""
     losses = [e for e in found if e.before == "stable" and (e.at != "stable" or e.above != "stable")]
-    low, high = interval(said["factor"])
-    here = [e for e in losses if low <= e.high and e.low <= high]
+    here = [e for e in losses if lies(e, said["factor"])]
     if not here:
         return [f"no loss at {said['factor']}, the first at {float(losses[0].low)}"]
     result = []
@@ -123,11 +122,40 @@ def loss_faults(said, words, found):
         result.append(f"stable at every smaller factor, but {losses[0].at} at {float(losses[0].low)}")
     if said["kind"] not in (here[0].at, here[0].above):
         result.append(f"{said['kind']} for {here[0].at}")
-    again = [e for e in found if e.low > here[0].low or e is here[0]]
-    again = [e for e in again if e.above == "stable"]
-    if again and "and not above" in words:
-        result.append(f"not stable above, but stable again above {float(again[0].low)}")
-    return result
+    return result + window_faults(said, words, [e for e in found if e.low >= here[0].low])
+
+
+def stretches(found):
+    """(from, to) of stable stretches above the first of some events; None where one has no end, (x, x) for no stretch."""
+    result, begin = [], None
+    for event in found:
+        if event.at != "stable" or event.before != "stable":
+            if begin is not None:
+                result.append((begin, event))
+            begin = event if event.above == "stable" else None
+    return result + ([(begin, None)] if begin is not None else [])
+
+
+def window_faults(said, words, found):
+    """Of the larger factors at which the line is said to be stable again, and of "not above"."""
+    true = stretches(found)
+    if true and "and not above" in words:
+        return [f"not stable above, but stable again above {float(true[0][0].low)}"]
+    if "stable_again" not in said or not said["first"]:
+        return []
+    printed = [(stretch["from"], stretch["to"]) for stretch in said["stable_again"]]
+    if len(printed) != len(true):
+        return [f"{len(printed)} stretches of renewed stability for {len(true)}"]
+    for pair, ends in zip(printed, true):
+        for text, event in zip(pair, ends):
+            if (text is None) != (event is None) or text is not None and not lies(event, text):
+                return [f"stable again {pair} for {tuple(e and float(e.low) for e in ends)}"]
+    return []
+
+
+def lies(event, text):
+    low, high = interval(text)
+    return low <= event.high and event.low <= high
 
 
 # torques

@@ -4,11 +4,13 @@ from fractions import Fraction
 
 import numpy
 
+import bent
 import energy
 import integers
 from decimals import interval
 
 NARROW = Fraction(1, 10 ** 60)
+SMALLEST = 1e-30  # below this a force is none
 CLOSE = 1e-9  # of a printed shape, of which some ten figures are right
 
 
@@ -40,7 +42,8 @@ def refined(straight, mode, low, high):
 
 
 def space_of_shapes(straight, statement, factor, exact, multiplicity, random):
-    """Turns about all axes, in radians, that span the shapes at a critical factor: columns."""
+    """Turns about all axes, in radians, that span the shapes at a critical factor: columns. And of each the force across that its end
+    point exerts on what holds it there; None where what is held repeats itself, or the end point is free across."""
     matrix = straight.at(factor)
     if exact:
         within = integers.null_space(matrix, straight.size)
@@ -55,23 +58,39 @@ def space_of_shapes(straight, statement, factor, exact, multiplicity, random):
     whole = integers.product(straight.basis, within)
     norms = [math.sqrt(sum(float(a) ** 2 for a in axis)) for _, axis, _ in energy.turns(statement)]
     largest = [max(abs(x) for x in column[:len(norms)]) or 1 for column in integers.transposed(whole)]
-    return numpy.array([[float(Fraction(x) / big) * norm for x, big in zip(row, largest)] for row, norm in zip(whole, norms)])
+    shapes = numpy.array([[float(Fraction(x) / big) * norm for x, big in zip(row, largest)] for row, norm in zip(whole, norms)])
+    return shapes, lateral_forces(straight, statement, factor, whole, largest)
 
 
-def is_shape(turns, space):
-    """Whether printed turns lie in the span of the columns."""
+def lateral_forces(straight, statement, factor, whole, largest):
+    stiffness, load, held = straight.whole
+    if statement.end_point.across != "held" or statement.space or len(integers.echelon(integers.scaled(held)[0][0])[1]) < len(held):
+        return None
+    pulls = integers.product(integers.combination(1, stiffness, -factor, load), whole)
+    pulls = numpy.array([[float(Fraction(x) / big) for x, big in zip(row, largest)] for row in pulls])
+    return -numpy.linalg.lstsq(numpy.array(held, dtype=float).T, pulls, rcond=1e-14)[0][bent.end_row(statement)]
+
+
+def fault_of_shape(turns, lateral, space, forces):
+    """Whether printed turns lie in the span of the columns, and the lateral force is theirs."""
     turns = numpy.array(turns)
     part = numpy.linalg.lstsq(space, turns, rcond=1e-14)[0]
-    return bool(numpy.max(abs(turns - space @ part)) <= CLOSE * numpy.max(abs(turns))) and bool(numpy.max(abs(turns)) > 0)
+    if numpy.max(abs(turns)) == 0 or numpy.max(abs(turns - space @ part)) > CLOSE * numpy.max(abs(turns)):
+        return "no shape"
+    if lateral is None or forces is None:
+        return ""
+    force, scale = forces @ part, max(abs(forces) @ abs(part), numpy.max(abs(turns)) * SMALLEST)
+    return "" if abs(float(lateral) - force) <= 1e-6 * scale else f"lateral force {lateral} for {force}"
 
 
 def faults(straight, statement, printed, random):
-    """Of printed modes, (number, factor as text, turns): what is wrong, and how many factors and shapes were held against the truth."""
+    """Of printed modes, (number, factor as text, turns, lateral force): what is wrong, and how many factors and shapes were held against
+    the truth."""
     result, total = [], count(straight)
-    if [mode for mode, _, _ in printed] != list(range(1, total + 1)):
-        result.append(f"modes {[mode for mode, _, _ in printed]} for {total}")
+    if [mode for mode, *_ in printed] != list(range(1, total + 1)):
+        result.append(f"modes {[mode for mode, *_ in printed]} for {total}")
     right = 0
-    for mode, text, turns in printed:
+    for mode, text, turns, lateral in printed:
         low, high = interval(text)
         if mode > total or not lies_at(straight, mode, low, high):
             result.append(f"mode {mode} is not {text}")
@@ -80,7 +99,7 @@ def faults(straight, statement, printed, random):
         factor, exact = refined(straight, mode, low, high)
         below = straight.negatives(factor)[0]
         above = sum(straight.negatives(factor * (1 + 2 * NARROW)))
-        space = space_of_shapes(straight, statement, factor, exact, above - below, random)
-        if not is_shape(turns, space):
-            result.append(f"mode {mode}: no shape at {text}")
+        fault = fault_of_shape(turns, lateral, *space_of_shapes(straight, statement, factor, exact, above - below, random))
+        if fault:
+            result.append(f"mode {mode} at {text}: {fault}")
     return result, right

@@ -3,17 +3,17 @@
 A chain in the plane is one in space whose joints all turn about z; nothing below `read` tells them apart but `space`.
 """
 import tomllib
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from fractions import Fraction
 
 Z = (Fraction(0), Fraction(0), Fraction(1))
 ENDS = {
     "base": {"pinned": ("held", "held", "free"), "sprung": ("held", "held", "free"), "jointed": ("held", "held", "free"),
-             "clamped": ("held", "held", "held")},
+             "bearing": ("held", "held", "free"), "clamped": ("held", "held", "held")},
     "end_point": {"guided": ("free", "held", "free"), "free": ("free", "free", "free"), "clamped": ("free", "held", "held")},
 }
 WORDS = {False: {"base": ("pinned", "sprung", "clamped"), "end_point": ("guided", "free", "clamped")},
-         True: {"base": ("jointed", "clamped"), "end_point": ("guided", "free", "clamped")}}
+         True: {"base": ("jointed", "clamped", "bearing"), "end_point": ("guided", "free", "clamped")}}
 KEYS = {"lengths", "link_length", "stiffness", "joint_stiffness", "rest", "base", "end_point", "supports", "foundation", "loads",
         "masses", "joints"}
 
@@ -49,7 +49,7 @@ class Statement:
     foundation: Fraction
     loads: list
     masses: list  # at nodes 0 ... n
-    passive_masses: bool = field(default=False)  # whether some node that the file gives no mass may move
+    bearing: bool  # whether joint 1 takes a torque off link 1
 
     @property
     def links(self):
@@ -102,10 +102,13 @@ def end(table, key, space):
         demand(value in WORDS[space][key], f"{key} is {value}")
         return End(*ENDS[key][value])
     demand(isinstance(value, dict) and not set(value) - {"along", "across", "turn"}, f"{key} is no table of along, across, turn")
-    demand(not space, f"{key} is a table in space")
     usual = ("held", "held", "free") if key == "base" else ("free", "held", "free")
-    return End(*(held(value[name], f"{key}.{name}") if name in value else default
-                 for name, default in zip(("along", "across", "turn"), usual)))
+    found = End(*(held(value[name], f"{key}.{name}") if name in value else default
+                  for name, default in zip(("along", "across", "turn"), usual)))
+    demand(found.turn in ("free", "held") or key == "end_point" and not space, f"{key}.turn is a spring")
+    demand(not space or found.along == usual[0] and found.across in (("held",) if key == "base" else ("free", "held")),
+           f"{key} is held as none in space is")
+    return found
 
 
 def vector(value, size, what):
@@ -147,7 +150,7 @@ def load(table, lengths, size):
         return weights(table, lengths, size)
     node = len(lengths)
     if "at" in table:
-        demand(isinstance(table["at"], int) and 2 <= table["at"] <= len(lengths), "at names no joint")
+        demand(type(table["at"]) is int and 2 <= table["at"] <= len(lengths), "at names no joint")
         node = table["at"] - 1
     if kind == "force":
         return [Load(kind, node, vector(table["force"], size, "force"), fixed)]
@@ -161,7 +164,8 @@ def joints_of(table, count):
     demand(isinstance(table, list) and len(table) == count, "joints are not one a link")
     result = []
     for joint in table:
-        demand(isinstance(joint, dict) and set(joint) == {"axes", "stiffness"}, "a joint has axes and stiffness")
+        demand(isinstance(joint, dict) and set(joint) == {"axes", "stiffness"} and isinstance(joint["axes"], list),
+               "a joint has axes and stiffness")
         springs = numbers(joint["stiffness"], "stiffness")
         axes = [vector(axis, 3, "axis") for axis in joint["axes"]]
         demand(1 <= len(axes) <= 3 and len(axes) == len(springs), "a joint has one to three axes, with a spring each")
@@ -172,10 +176,11 @@ def joints_of(table, count):
 
 
 def supports_of(table, links):
+    demand(isinstance(table, list), "supports are no list")
     result = {}
     for support in table:
         demand(isinstance(support, dict) and set(support) == {"at", "across"}, "a support has at and across")
-        demand(isinstance(support["at"], int) and 2 <= support["at"] <= links, "a support's at names no joint")
+        demand(type(support["at"]) is int and 2 <= support["at"] <= links, "a support's at names no joint")
         demand(support["at"] - 1 not in result, "two supports at one joint")
         result[support["at"] - 1] = held(support["across"], "across")
     return result
@@ -199,20 +204,28 @@ def read(text):
         demand(len(springs) == len(lengths) and min(springs) >= 0, "stiffness has not one value a joint, from 0 on")
         joints, rest = [[(Z, k)] for k in springs], numbers(table.get("rest", [0] * len(lengths)), "rest")
     base, end_point = end(table, "base", space), end(table, "end_point", space)
-    if base.turn not in ("free", "held"):
-        joints[0] = [(Z, base.turn)]
-        base.turn = "free"
-    demand(base.turn == "free" or not any(k for _, k in joints[0]) or space, "a clamped joint 1 has a spring")
+    first = any(k for _, k in joints[0])
+    demand(not first or base.turn == "free" and table.get("base") not in ("pinned", "bearing"), "joint 1 has a spring beside its base")
+    demand(first or table.get("base") != "sprung", "a sprung base has no spring")
     demand((base.along == "free") != (end_point.along == "free"), "not exactly one end is held along")
     foundation = number(table.get("foundation", 0), "foundation")
     demand(foundation >= 0, "foundation is negative")
     size = 3 if space else 2
+    demand(isinstance(table.get("loads", []), list), "loads are no list")
     loads = [l for item in table["loads"] for l in load(item, lengths, size)] if "loads" in table else \
         [Load("force", len(lengths), (Fraction(-1), Fraction(0), Fraction(0)))]
     demand(loads, "no load")
-    masses = half_links(lengths)
-    if "masses" in table:
-        masses = [Fraction(0)] + numbers(table["masses"], "masses")
-        demand(len(masses) == len(lengths) + 1 and min(masses[1:]) >= 0, "masses are not one a link")
     return Statement(lengths, joints, rest or [Fraction(0)] * len(lengths), space, base, end_point,
-                     supports_of(table.get("supports", []), len(lengths)), foundation, loads, masses)
+                     supports_of(table.get("supports", []), len(lengths)), foundation, loads, masses_of(table, lengths, base),
+                     table.get("base") == "bearing")
+
+
+def masses_of(table, lengths, base):
+    """At all nodes: those of the file, with none at a base that stays on the line, or half of each link's length at either end."""
+    if "masses" not in table:
+        return half_links(lengths)
+    found = numbers(table["masses"], "masses")
+    if base.across == "held":
+        found = [Fraction(0)] + found
+    demand(len(found) == len(lengths) + 1 and min(found) >= 0, "masses are not one a link, and one of a base that moves")
+    return found

@@ -13,6 +13,7 @@ class Straight:
     load: list
     mass: list
     basis: list  # of each permitted motion a column of all unknowns
+    whole: tuple  # K and A on all unknowns, unscaled, and the rows of what is held
     balanced: bool  # whether the straight line is an equilibrium at every factor
     symmetric: bool
 
@@ -64,7 +65,8 @@ def straight(statement):
         force, slope = follower_terms(statement, about, fixed)
         forces[fixed] = [f + g for f, g in zip(force, about.gradient(work))]
         slopes[fixed] = integers.combination(1, slope, 1, about.hessian(work))
-    (stiffness, load), _ = integers.scaled(integers.combination(1, about.hessian(about.springs), -1, slopes[True]), slopes[False])
+    whole = (integers.combination(1, about.hessian(about.springs), -1, slopes[True]), slopes[False])
+    (stiffness, load), _ = integers.scaled(*whole)
     (mass,), _ = integers.scaled(masses_of(statement, about))
     held = [about.gradient(c) for c in about.constraints]
     if energy.shifts(statement)[1]:  # moving along the chain as one changes nothing across it
@@ -75,4 +77,4 @@ def straight(statement):
     balanced = not any(x for row in integers.product(reactions, basis) for x in row)
     stiffness, load, mass = (integers.congruent(m, basis) for m in (stiffness, load, mass))
     symmetric = not any(l.kind == "follower" for l in statement.loads)
-    return Straight(stiffness, load, mass, basis, balanced, symmetric)
+    return Straight(stiffness, load, mass, basis, (*whole, held), balanced, symmetric)

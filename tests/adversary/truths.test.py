@@ -122,7 +122,8 @@ class Statements(unittest.TestCase):
         chain = "lengths = [1, 1]\nstiffness = [1, 1]\n"
         for wrong in ("base = 'clamped'", "end_point = { along = 'held' }", "base = { along = 'free' }", "end_point = 'loose'",
                       "supports = [{ at = 2, across = 1 }, { at = 2, across = 'held' }]", "loads = [{ force = [-1, 0], fixed = 'true' }]",
-                      "loads = [{ force = [-1, 0], at = 1 }]", "loads = []", "masses = [1]", "foundation = -1", "pins = 2"):
+                      "loads = [{ force = [-1, 0], at = 1 }]", "loads = []", "masses = [1]", "foundation = -1", "pins = 2", "base = 'clamped'",
+                      "base = 'pinned'", "base = { turn = 1 }"):
             with self.assertRaises(NotAStructure, msg=wrong):
                 read(chain + wrong)
 
