@@ -13,7 +13,7 @@ import sys
 
 import numpy as np
 
-NO_GAP, OUTSIDE, TEMPER, NAT, WRONG, LARGEST = 0.3, 0.1, 0.25, 300, 20, 8
+NO_GAP, OUTSIDE, TEMPER, WRONG, LARGEST = 0.3, 0.1, 0.25, 20, 8
 
 
 def log_normalised(values):
@@ -22,9 +22,8 @@ def log_normalised(values):
     return values - most - np.log(np.exp(values - most).sum())
 
 
-def verdict(bench, temper=TEMPER, shift=lambda way: 0.0, nat=NAT):
+def verdict(ways, temper=TEMPER, shift=lambda way: 0.0):
     """What is said, and of which causes, where log priors are shifted."""
-    ways = bench["ways"]
     prior = np.array([way["log_prior"] + shift(way) if way["log_prior"] is not None else -np.inf for way in ways])
     evidence = np.array([-np.inf if way["log_evidence"] is None else way["log_evidence"] for way in ways])
     discrepancy = np.array([way["discrepancy"] for way in ways])
@@ -32,7 +31,7 @@ def verdict(bench, temper=TEMPER, shift=lambda way: 0.0, nat=NAT):
     if no_gap > 0.5:
         return "none", frozenset()
     d = np.exp(log_normalised(prior[1:] + evidence[1:])) @ discrepancy[1:]
-    weight = (1 - no_gap) * np.exp(log_normalised(prior[1:] + (1 - (1 - temper) * d) / (1 + len(bench["sigma"]) / nat) * evidence[1:]))
+    weight = (1 - no_gap) * np.exp(log_normalised(prior[1:] + (1 - (1 - temper) * d) * evidence[1:]))
     sums = {}
     for p, way in zip(weight, ways[1:]):
         cause = way["effects"] if way["of"] == "listed" else "outside"
@@ -63,7 +62,6 @@ OPINIONS = {
     "no gap": [(TEMPER, of_nothing(NO_GAP, f * NO_GAP)) for f in (0.5, 2)],
     "outside": [(TEMPER, of_outside(OUTSIDE, f * OUTSIDE)) for f in (0.5, 2)],
     "power at a discrepancy as large as the noise": [(f * TEMPER, lambda way: 0.0) for f in (0.5, 2)],
-    "readings a nat": [(TEMPER, lambda way: 0.0, f * NAT) for f in (0.5, 2)],
     "share of two effects": [(TEMPER, of_count(2, f)) for f in (0.5, 2)],
     "share of three effects": [(TEMPER, of_count(3, f)) for f in (0.5, 2)],
 }
@@ -79,11 +77,11 @@ def main():
     for folder in sorted(f for f in a.bank.iterdir() if (f / "experiment.toml").exists()):
         run = subprocess.run([a.hypotheses, folder], capture_output=True, text=True, check=False)
         if run.returncode == 0:
-            benches.append(json.loads(run.stdout))
-    before = [verdict(bench) for bench in benches]
+            benches.append(json.loads(run.stdout)["ways"])
+    before = [verdict(ways) for ways in benches]
     lines = [f"{len(benches)} experiments.", "", "| opinion | verdicts that change, halved | doubled | another sure name |", "| --- | ---: | ---: | ---: |"]
     for name, variants in OPINIONS.items():
-        after = [[verdict(bench, *variant) for bench in benches] for variant in variants]
+        after = [[verdict(ways, *variant) for ways in benches] for variant in variants]
         changed = [sum(b[0] != n[0] for b, n in zip(before, one)) for one in after]
         other = sum(b[0] == n[0] == "identified" and b != n for one in after for b, n in zip(before, one))
         lines.append(f"| {name} | {changed[0]} | {changed[1]} | {other} |")
