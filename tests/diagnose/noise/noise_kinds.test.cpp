@@ -85,9 +85,9 @@ TEST_CASE("a segment of six times the noise is found, with its readings and its 
 
 TEST_CASE("readings of a coarse display that repeat share one rounding error, others are as they were") {
   Experiment experiment = long_bench();
-  const double step = 4 * experiment.noise.Fx;
+  const double step = 4 * experiment.noise[Channel::Name::Fx];
   for (Run& run : experiment.runs)
-    for (Reading& reading : run.readings) reading.Fx = step * std::round(reading.Fx / step);
+    for (Reading& reading : run.readings) reading[column_Fx] = step * std::round(reading[column_Fx] / step);
   const Spoilt bench(experiment);
   const NoiseShape shape = bench.shape();
   CHECK(shape.quantised);
