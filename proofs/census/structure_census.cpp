@@ -64,6 +64,7 @@ class StructureBox {
     for (std::size_t i = 0; i < n_; ++i) {
       if (!fixed_[i]) unknown_.push_back(i);
     }
+    if (unknown_.empty()) throw Error("census", "no link that can turn", "one or more");
     if (unknown_.size() > most_turning)
       throw Error("census", std::to_string(unknown_.size()) + " links that turn",
                   "at most " + std::to_string(most_turning));
@@ -162,8 +163,8 @@ class StructureBox {
     return isolates(hull);
   }
 
-  /// A box of the same shapes whose directions lie as near to another's as whole turns of passive joints bring
-  /// them: no spring counts those.
+  /// A box of the same shapes whose directions lie as near to another's as whole turns of passive joints
+  /// bring them: no spring counts those.
   [[nodiscard]] Ranges unwound(const Ranges& box, const Ranges& like) const {
     Ranges moved = box;
     double before = 0;  // turns of the link before
@@ -418,8 +419,8 @@ bool overlap(const Ranges& a, const Ranges& b) {
   return true;
 }
 
-/// Adds a box around an equilibrium; those on the border between two boxes are found in both, and those half a
-/// turn off at a passive joint to either side.
+/// Adds a box around an equilibrium; those on the border between two boxes are found in both, and those half
+/// a turn off at a passive joint to either side.
 /// \returns false where it is open whether it is a new one
 bool add(std::vector<Ranges>& found, const Ranges& box, const StructureBox& system) {
   for (const Ranges& other : found) {
