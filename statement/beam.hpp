@@ -4,14 +4,13 @@
 
 #include <plumbline/structure/structure.hpp>
 
+#include "proofs/rod/rod_of_chain.hpp"
 #include "statement/typed_table.hpp"
 
 namespace plumbline::statement {
 
-/// The rod that a chain stands for: bending stiffness, and length of each of its bars.
-struct Beam {
-  Rational EI, bar;
-};
+/// The rod that a chain stands for.
+using Beam = proofs::StatedRod;
 
 /// A chain of bars from the key `beam`, its ends being `base` and `end_point`, words here.
 /// \throws Error that names the source and the line

@@ -53,12 +53,12 @@ void read_ends(const TypedTable& table, Structure<Rational>& structure) {
                 "its stiffness there, or \"pinned\"");
 }
 
-void read_weight(const TypedTable& load, bool multiplied, Structure<Rational>& structure) {
+void read_weight(const TypedTable& load, bool multiplied, PlaneChain& chain) {
   if (load.has("at"))
     throw Error(load.place("at"), "a weight at a joint", "a force for that: weight is of links");
-  const std::size_t n = structure.chain.size();
-  const auto weight = load.node("weight").is_array() ? load.numbers("weight", n)
-                                                     : std::vector<Rational>(n, load.number("weight"));
+  const std::size_t n = chain.structure.chain.size();
+  auto weight = load.node("weight").is_array() ? load.numbers("weight", n)
+                                               : std::vector<Rational>(n, load.number("weight"));
   Point<Rational> down{-1, 0};
   if (load.has("direction")) {
     const auto d = load.numbers("direction", 2);
@@ -68,10 +68,14 @@ void read_weight(const TypedTable& load, bool multiplied, Structure<Rational>& s
                   "a unit vector, such as [-1, 0]");
   }
   for (std::size_t link = 1; link <= n; ++link)
-    structure.add_weight(link, {weight[link - 1] * down.x, weight[link - 1] * down.y}, multiplied);
+    chain.structure.add_weight(link, {weight[link - 1] * down.x, weight[link - 1] * down.y}, multiplied);
+  if (!chain.beam) return;
+  for (Rational& each : weight) each *= -down.x;
+  chain.beam->weights.push_back({std::move(weight), multiplied});
 }
 
-void read_load(const TypedTable& load, const std::string& where, Structure<Rational>& structure) {
+void read_load(const TypedTable& load, const std::string& where, PlaneChain& chain) {
+  Structure<Rational>& structure = chain.structure;
   int kinds = 0;
   for (const char* kind : {"force", "follower", "moment", "weight"}) kinds += load.has(kind) ? 1 : 0;
   if (kinds != 1)
@@ -92,16 +96,16 @@ void read_load(const TypedTable& load, const std::string& where, Structure<Ratio
                   "one at the end point, multiplied");
     structure.moment += load.number("moment");
   } else {
-    read_weight(load, multiplied, structure);
+    read_weight(load, multiplied, chain);
   }
 }
 
-void read_loads(const TypedTable& table, Structure<Rational>& structure) {
-  if (!table.has("loads")) return structure.add_compression();
+void read_loads(const TypedTable& table, PlaneChain& chain) {
+  if (!table.has("loads")) return chain.structure.add_compression();
   for (const TypedTable& load :
        table.tables("loads", {"at", "force", "follower", "moment", "weight", "direction", "fixed"},
                     "{ force = [-1, 0] }"))
-    read_load(load, table.place("loads"), structure);
+    read_load(load, table.place("loads"), chain);
 }
 
 /// Those of all nodes, or of the far ends of the links alone.
@@ -132,7 +136,8 @@ PlaneChain read_plane(const toml::table& toml, const std::string& source) {
   if (!is_beam) read_ends(table, structure);  // those of a beam are springs: half a bar each
   structure.across = read_supports(table, structure.chain.size());
   if (table.has("foundation")) structure.add_foundation(table.not_negative("foundation"));
-  read_loads(table, structure);
+  if (is_beam && table.has("foundation")) chain.beam->bed = table.not_negative("foundation");
+  read_loads(table, chain);
   structure.mass = read_masses(table, structure.chain.size());
   structure.require_sound();
   return chain;

@@ -35,11 +35,4 @@ Structure<Real> rod(const Real& EI, const Real& length, std::size_t bars, RodEnd
   return structure;
 }
 
-/// The rod's critical force from that of a chain of bars of length l under an end force, to second order in
-/// l: what is left falls as l^4.
-template <Number Real>
-Real rod_force(const Real& chain_force, const Real& EI, const Real& l) {
-  return chain_force * (Real(1) + chain_force * l * l / (Real(12) * EI));
-}
-
 }  // namespace plumbline

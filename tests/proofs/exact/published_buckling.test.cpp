@@ -65,8 +65,6 @@ TEST_CASE(
     CHECK(rod_in_bars(n, RodEnd::pinned, RodEnd::pinned) == exactly(pi * pi));
     CHECK(rod_in_bars(n, RodEnd::clamped, RodEnd::clamped) == exactly(4 * pi * pi));
   }
-  const double pinned = rod_in_bars(20, RodEnd::pinned, RodEnd::pinned);
-  CHECK(rod_force(pinned, 1.0, 1.0 / 20) == doctest::Approx(pi * pi).epsilon(1e-5));
   const double fixed_pinned = limit(rod_in_bars(40, RodEnd::clamped, RodEnd::pinned),
                                     rod_in_bars(80, RodEnd::clamped, RodEnd::pinned));
   CHECK(fixed_pinned == doctest::Approx(20.1907).epsilon(5e-6));  // left: (20.19 / 12 / 40^2)^2, 1e-6
