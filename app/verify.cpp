@@ -13,6 +13,7 @@
 #include "app/terminal.hpp"
 #include "app/verbs.hpp"
 #include "verify/claims/claims.hpp"
+#include "verify/core/core_table.hpp"
 #include "verify/figures/figures.hpp"
 #include "verify/report/errata.hpp"
 #include "verify/report/report.hpp"
@@ -24,6 +25,7 @@ namespace {
 struct VerifyOptions {
   std::string folder, section, claim, json, html, errata, unfinished;
   int precision = 50;
+  bool core = false;
   std::size_t chains = 0;
   std::uint64_t seed = 1;
 };
@@ -76,7 +78,17 @@ std::vector<verify::Judged> judge_random_chains(const VerifyOptions& options,
       options.seed);
 }
 
+/// The table of the core alone.
+void print_core(const VerifyOptions& options) {
+  const std::size_t chains = options.chains > 0 ? options.chains : 100;
+  Progress progress("random chains", chains);
+  const verify::CoreTable table = verify::core_table(chains, options.seed, [&] { progress.advance(); });
+  fmt::print("{}", verify::as_text(table));
+  if (!verify::holds(table)) throw CLI::RuntimeError(1);
+}
+
 void run(const VerifyOptions& options, const CLI::App& verb) {
+  if (options.core) return print_core(options);
   Outputs outputs(verb, files_of(options.folder));
   const std::string form = std::filesystem::path(options.errata).extension();
   if (!options.errata.empty() && form != ".md" && form != ".tex")
@@ -136,6 +148,10 @@ void add_verify(CLI::App& app) {
   const auto options = std::make_shared<VerifyOptions>();
   verb->add_option("paper", options->folder, "Another paper on chains: the folder that states its claims")
       ->type_name("PAPER");
+  verb->add_flag(
+      "--core", options->core,
+      "What the core reproduces of straight chains, in double and in 50 digits, on 100 random chains or "
+      "as many as --chains says");
   verb->add_option("--section", options->section, "Only the claims of one section, such as 4.1")
       ->type_name("S");
   verb->add_option("--claim", options->claim, "Everything about one claim")

@@ -286,10 +286,11 @@ Qed.
 Lemma shortening_gt0 (q : 'cV[R]_n) : q != 0 -> 0 < shortening L q.
 Proof. by move=> q0; rewrite -moment_form; apply: M_definite. Qed.
 
-Theorem stable_below fs F q : roots_of (D n L k) fs -> all (fun f => F < f) fs ->
-  q != 0 -> (S0 n L)^T *m q = 0 -> 0 < second_variation F q.
+(* Below the lowest force there is room: a larger force that is below it too. *)
+Lemma room_below fs F : roots_of (D n L k) fs -> all (fun f => F < f) fs ->
+  exists2 F' : R, F < F' & forall q, (S0 n L)^T *m q = 0 -> F' * shortening L q <= strain k q.
 Proof.
-move=> rfs below q0 axis; have [gs [rgs sz pgs cgs]] := critical_forces two links one.
+move=> rfs below; have [gs [rgs sz pgs cgs]] := critical_forces two links one.
 have fg := roots_of_inj rfs rgs; rewrite -{gs rgs pgs}fg in sz cgs.
 have [sorted_fs _] := rfs; case: fs sz sorted_fs below cgs {rfs} => [|a fs] sz sorted_fs below cgs.
   by move: two; rewrite -subn_gt0 subn1 -sz.
@@ -298,7 +299,14 @@ have ca : count_below n L k a = 0%N.
   rewrite cgs; apply/eqP; rewrite -leqn0 leqNgt -has_count; apply/hasPn => f; rewrite -leNgt inE.
   by case/orP => [/eqP -> //|]; move: f; apply/allP; apply: order_path_min sorted_fs; apply: le_trans.
 have [h1 h2] := midf_lt F_a.
-rewrite second_variationE subr_gt0; apply: lt_le_trans (constrained_ge0 axis h2 ca).
+by exists ((F + a) / 2%:R) => // q axis; apply: constrained_ge0 axis h2 ca.
+Qed.
+
+Theorem stable_below fs F q : roots_of (D n L k) fs -> all (fun f => F < f) fs ->
+  q != 0 -> (S0 n L)^T *m q = 0 -> 0 < second_variation F q.
+Proof.
+move=> rfs below q0 axis; have [F' F_F' room] := room_below rfs below.
+rewrite second_variationE subr_gt0; apply: lt_le_trans (room q axis).
 by rewrite ltr_pmul2r // shortening_gt0.
 Qed.
 

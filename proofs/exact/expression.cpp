@@ -171,8 +171,8 @@ ex Formulas::parse(const std::string& formula) const {
   GiNaC::parser reader(symbols_, true);
   try {
     return reader(formula);
-  } catch (const std::exception& error) {
-    throw Error("formula", "'" + formula + "' (" + error.what() + ")", "a formula in the declared symbols");
+  } catch (const std::exception&) {  // whose words are those of a library
+    throw Error("formula", "'" + formula + "'", "a formula in the declared symbols");
   }
 }
 

@@ -170,6 +170,26 @@ PaperForce<Interval> paper_force(const proofs::CertifiedEquilibrium& one) {
   return {-one.fx, -one.fy};
 }
 
+namespace {
+
+std::string short_decimal(const Rational& x) {
+  const std::string exact = proofs::to_exact(x);
+  return exact.size() <= 8 ? exact : proofs::to_decimal(x, 3);
+}
+
+}  // namespace
+
+std::string in_lengths(const Rational& length) {
+  return short_decimal(length) + " L";
+}
+
+std::string in_lengths(const std::vector<Rational>& lengths) {
+  std::string text;
+  for (std::size_t i = 0; i < lengths.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == lengths.size() ? " and " : ", ") + short_decimal(lengths[i]);
+  return text + " L";
+}
+
 std::string located(const proofs::Located& number, int digits) {
   return number.str(std::min(digits, proofs::located_digits));
 }
@@ -201,7 +221,11 @@ std::string signs(const proofs::CertifiedEquilibrium& one, std::size_t from) {
 
 std::string letter(const proofs::CertifiedEquilibrium& one) {
   const std::string bends = signs(one, 1);
-  return bends == "--" ? "U⁺" : bends == "++" ? "U⁻" : bends == "+-" ? "Z⁻" : bends == "-+" ? "Z⁺" : bends;
+  if (bends == "--") return "U⁺";
+  if (bends == "++") return "U⁻";
+  const char first = sign_character(one.q.front());
+  if (bends.find('0') != std::string::npos || first == '0') return bends;
+  return first == '-' ? "Z⁻" : "Z⁺";
 }
 
 std::vector<BranchEvent<proofs::Located>> SlowPath::of_kind(EventKind kind) const {
@@ -323,6 +347,11 @@ proofs::Located straightens_at(const SlowPath& path, std::size_t joint, const Ra
     return joint_angles(path.at(proofs::exactly(load)).theta)[joint];
   };
   const auto low = from_rational<proofs::Located>(from), high = from_rational<proofs::Located>(to);
+  if (angle(low) * angle(high) > 0)
+    throw Error("path",
+                fmt::format("no change of sign of joint angle {} between the deflections {} and {}",
+                            joint + 1, low.str(6), high.str(6)),
+                "one");
   std::uintmax_t evaluations = 100;
   const auto close = [](const proofs::Located& a, const proofs::Located& b) {
     return abs(b - a) < proofs::Located("1e-58");

@@ -68,9 +68,14 @@ std::string extrema(const proofs::Census& census, int sign_of_q4 = 0);
 
 /// Signs of joint angles, such as "-+-+"; of all, or from a joint (counted from 0) on.
 std::string signs(const proofs::CertifiedEquilibrium& one, std::size_t from = 0);
-/// The shape of three links by the bends of its two joints, in the paper's words: U+ for two negative ones,
-/// U-, and Z- for "+-" (the middle link leads upwards), Z+.
+/// The shape of three links in the paper's words: U+ has two negative bends (3.1, before Fig. 7), U- two
+/// positive ones; of the Z-shapes, with a bend of either sign, Z- has a negative first angle (3.1, Fig. 9).
 std::string letter(const proofs::CertifiedEquilibrium& one);
+
+/// A length as it is said: "0.1 L", or "0.0407 L" where it has no short decimal.
+std::string in_lengths(const Rational& length);
+/// Several: "0.1, 0.4 and 0.8 L".
+std::string in_lengths(const std::vector<Rational>& lengths);
 
 /// A number of an event as it is printed: no more digits than it is located to.
 std::string located(const proofs::Located& number, int digits);

@@ -6,10 +6,12 @@
 #include <Eigen/LU>
 #include <plumbline/straight/critical_force.hpp>
 
+#include "proofs/exact/enclosure.hpp"
 #include "proofs/exact/expression.hpp"
 #include "verify/chains/loaded_chains.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/judging/comparison.hpp"
+#include "verify/sampled/sampled.hpp"
 
 namespace plumbline::verify {
 namespace {
@@ -50,8 +52,8 @@ Judgement prismatic(const Printed& printed, int) {
       printed.at(0) == word
           ? ""
           : "to leading order in the deflections only: F solves F = F_c(L_j - F/kappa_j), a relative change "
-            "of first order in F/(kappa L); two links on a passive base buckle where F (L - F/kappa) = 2k, "
-            "above the rigid chain's 2k/L, and not at all when kappa < 8k/L^2",
+            "of first order in F/(kappa L); two equal links on a passive base buckle where F (L - F/kappa) = "
+            "2k",
       {Evidence::by_theorem("Prismatic joints",
                             "at the straight shape axial and angular variations do not couple, and the links "
                             "are shorter by F/kappa_j"),
@@ -61,6 +63,42 @@ Judgement prismatic(const Printed& printed, int) {
                     "vanishes for kappa -> infinity: {}",
                     compliant_vanishes, rigid_vanishes, small)}},
       ""};
+}
+
+/// Which way the lowest critical force goes where a link yields, by trying: each link of random chains,
+/// shortened by a hundredth. A chain with a shortened link is that of a yielding one at its critical force F,
+/// of the axial stiffness F over the shortening.
+Judgement prismatic_direction(const Printed& printed, int) {
+  constexpr std::uint64_t seed = 1, chains = 40;
+  constexpr int digits = 12;
+  std::size_t higher = 0, lower = 0;
+  std::string example;
+  for (std::uint64_t index = 0; index < chains; ++index) {
+    const auto rigid = convert<Rational>(random_chain(seed, index), [](double x) { return Rational(x); });
+    const proofs::ForceEnclosure before = proofs::enclose_critical_forces(rigid, 1, digits).front();
+    for (std::size_t link = 0; link < rigid.size(); ++link) {
+      std::vector<Rational> length = rigid.length();
+      length[link] *= Rational(99, 100);
+      const Chain<Rational> shortened(length, rigid.stiffness());
+      higher += count_below(shortened, before.high) == 0 ? 1 : 0;
+      if (count_below(shortened, before.low) == 0) continue;
+      if (lower++ == 0) example = fmt::format("link {} of chain {}", link + 1, index);
+    }
+  }
+  const std::string found = higher > 0 && lower > 0 ? "higher or lower" : higher > 0 ? "higher" : "lower";
+  Judgement result = judge_word(
+      printed.at(0), found, "it is " + found,
+      {{EvidenceKind::exact,
+        fmt::format("random chains 0 to {} of seed {}, each link in turn shorter by a hundredth, as one that "
+                    "yields is "
+                    "at its critical force: the lowest force is higher in {} cases, lower in {}, first {}",
+                    chains - 1, seed, higher, lower, example)}});
+  result.statement = fmt::format(
+      "the critical force can be {}: of {} random chains, each link of which yields by a hundredth in turn, "
+      "it is "
+      "higher in {} cases and lower in {}",
+      found, chains, higher, lower);
+  return result;
 }
 
 /// The shortening of two straight links under F, from the potential kappa (u_1^2 + u_2^2) / 2 - F (u_1 +
@@ -99,11 +137,11 @@ Judgement disturbance(const Printed& printed, const Premises& given, int) {
       {Evidence::by_theorem("Stability", "an equilibrium with a negative direction is unstable"),
        {EvidenceKind::interval,
         fmt::format(
-            "chain of Fig. 7 at 0.1 L, certified census: each of the {} unstable equilibria is a strict "
+            "chain of Fig. 7 at {}, certified census: each of the {} unstable equilibria is a strict "
             "maximum of E in its only free direction, so that losing energy the chain ends in one of the "
             "{} minima, whichever the disturbance. With more links an unstable equilibrium can be a "
             "saddle, which the disturbances of a set of measure zero lead back to",
-            unstable, census.equilibria.size() - unstable)}});
+            in_lengths(d), unstable, census.equilibria.size() - unstable)}});
 }
 
 /// What another scale of the force, or of all stiffnesses, does to the curve of two links.
@@ -127,22 +165,24 @@ Judgement other_force(const Printed& printed, int) {
 
 /// Whether other stiffnesses change the ratio of the forces at two deflections.
 Judgement other_stiffness(const Printed& printed, const Premises& given, int) {
+  const Rational early(1, 10), late(6, 10);
   const auto ratio = [&](int third) {
     const Chain<Interval> nominal = given.chain("fig-7-chain");
     std::vector<Interval> stiffness = nominal.stiffness();
     stiffness.back() *= Interval(third);
     const HeldChain chain = held(Chain<Interval>(nominal.length(), stiffness, nominal.rest()));
     const auto force = [&](const Rational& d) { return chain.at(d).equilibria.front().fx; };
-    return force(Rational(1, 10)) / force(Rational(6, 10));
+    return force(early) / force(late);
   };
   const Interval nominal = ratio(1), other = ratio(2);
   const bool changes = certainly_less(nominal, other) || certainly_less(other, nominal);
   return judge_word(
       printed.at(0), changes ? "changes" : "keeps", "the forces keep their ratio",
-      {{EvidenceKind::interval,
-        fmt::format("chain of Fig. 7, certified censuses, least energy: force at 0.1 L over that at "
-                    "0.6 L with k = (0, 1, 1): {}, with k = (0, 1, 2): {}",
-                    certified_decimal(nominal, 5), certified_decimal(other, 5))}});
+      {{EvidenceKind::interval, fmt::format("chain of Fig. 7, certified censuses, least energy: force at {} "
+                                            "over that at {}: {}, with the last "
+                                            "stiffness doubled: {}",
+                                            in_lengths(early), in_lengths(late),
+                                            certified_decimal(nominal, 5), certified_decimal(other, 5))}});
 }
 
 /// Two links clamped at the base, k = L = 1, each of weight w (towards the base) at its middle: the Hessian
@@ -267,6 +307,7 @@ Checks claims::discussion() {
   return {
       {"prismatic-joints", prismatic},
       {"prismatic-deflection", prismatic_deflection},
+      {"prismatic-direction", prismatic_direction},
       {"disturbance", disturbance},
       {"force-shift", other_force},
       {"stiffness-shape", other_stiffness},

@@ -9,6 +9,7 @@
 #include <plumbline/straight/critical_force.hpp>
 
 #include "proofs/exact/decimal.hpp"
+#include "proofs/exact/enclosure.hpp"
 #include "proofs/exact/exact_chain.hpp"
 #include "proofs/exact/symbolic_chain.hpp"
 #include "verify/chains/post_buckling.hpp"
@@ -62,11 +63,11 @@ const proofs::ZeroEigenvalue& generic_zero(std::size_t n) {
 }
 
 Judgement rank(const Printed& printed, int) {
-  Judgement result = judge_count(
-      printed.at(0), generic_rank,
-      "rank(B^-1 A) = n: S1 is invertible, det S1 = (-1)^n L_1 … L_n; the double eigenvalue 0 has "
-      "one eigenvector only",
-      EvidenceKind::symbolic, "symbolic lengths and stiffnesses");
+  Judgement result = judge_count(printed.at(0), generic_rank,
+                                 "rank(B^-1 A) = n: S1 is invertible, det S1 = (-1)^n L_1 … L_n. A rank does "
+                                 "not give the two zeros: they "
+                                 "follow from det(A F + B), which is of degree n - 1 in F",
+                                 EvidenceKind::symbolic, "symbolic lengths and stiffnesses");
   return with_evidence(result,
                        Evidence::by_checked_theorem("Two zeros", {"eigenvalues.rank_BinvA"},
                                                     "rank n for every chain with at most one passive joint"));
@@ -87,7 +88,9 @@ Judgement eigenvectors(const Printed& printed, int) {
       [](std::size_t n) {
         return proofs::distinct_critical_forces(unequal_chain(n)) + generic_zero(n).geometric;
       },
-      "B^-1 A is defective: it has n independent eigenvectors, n - 1 of the modes and (0, …, 0, 1)",
+      "B^-1 A is defective: it has n independent eigenvectors, one of each of the n - 1 modes, if these are "
+      "simple, "
+      "and (0, …, 0, 1) alone for the double eigenvalue 0",
       EvidenceKind::exact, "distinct non-zero eigenvalues and eigenvectors of the eigenvalue 0");
   return with_evidence(result,
                        Evidence::by_checked_theorem("Two zeros",
@@ -221,18 +224,33 @@ std::size_t negative_directions(const Chain<Rational>& chain, const Rational& F)
   return negative;
 }
 
+/// A force below the lowest critical one, one between each two that differ, and one beyond them.
+std::vector<Rational> forces_between(const Chain<Rational>& chain) {
+  constexpr int digits = 12;
+  const auto critical = proofs::enclose_critical_forces(chain, chain.size() - 1, digits);
+  std::vector<Rational> list{critical.front().low * Rational(99, 100)};
+  for (std::size_t i = 1; i < critical.size(); ++i)
+    if (critical[i - 1].high < critical[i].low) list.push_back((critical[i - 1].high + critical[i].low) / 2);
+  list.push_back(critical.back().high * Rational(101, 100));
+  return list;
+}
+
+std::string six_digits(const Rational& F) {
+  return proofs::to_decimal(F, 6);
+}
+
 Judgement buckles_at(const Printed& printed, const Premises& given, int) {
   const Chain<Rational> chain = given.exact_chain("unit-chain");
   std::string found;
   bool first = true;
-  // forces between the critical ones 0.92…, 2.30…, 3.51… and beyond them
-  for (const auto& [F, expected] : std::vector<std::pair<Rational, std::size_t>>{
-           {Rational(9, 10), 0}, {Rational(19, 20), 1}, {Rational(12, 5), 2}, {Rational(18, 5), 3}}) {
+  std::size_t expected = 0;
+  for (const Rational& F : forces_between(chain)) {
     const std::size_t negative = negative_directions(chain, F);
     if (negative != count_below(chain, F))
       throw Error("count", "different results of recursion and elimination", "agreement");
-    first = first && negative == expected;
-    found += fmt::format("{}F = {}: {}", found.empty() ? "" : ", ", F.str(), negative);
+    first = first && (expected == 0 ? negative == 0 : negative >= expected);
+    found += fmt::format("{}F = {}: {}", found.empty() ? "" : ", ", six_digits(F), negative);
+    ++expected;
   }
   return judge_word(
       printed.at(0), first ? "lowest" : "another",
@@ -242,7 +260,8 @@ Judgement buckles_at(const Printed& printed, const Premises& given, int) {
                                     "E - F delta_x on delta_y = 0 is a strict minimum to second order "
                                     "exactly below the lowest critical force, "
                                     "and falls along a mode beyond it"),
-       {EvidenceKind::exact, "unit chain of four links, negative directions by elimination: " + found}});
+       {EvidenceKind::exact,
+        "negative directions by elimination, under forces between the critical ones: " + found}});
 }
 
 /// How the force of mode 1 begins along its bent shapes, for L = (2, 1), k = (1, k2).
@@ -259,7 +278,8 @@ Judgement straight_until(const Printed& printed, const Premises& given, int) {
   const auto word = [&](const Rational& F) {
     return std::string(negative_directions(chain, F) == 0 ? "stable" : "unstable");
   };
-  const std::string below = word(Rational(924, 1000)), above = word(Rational(925, 1000));
+  const std::vector<Rational> forces = forces_between(chain);
+  const std::string below = word(forces[0]), above = word(forces[1]);
   const Rational stiff = initial_curvature(1), soft = initial_curvature(Rational(1, 10));
   return judge_list(
       printed, {below, above}, fmt::format("it is {} below and {} beyond", below, above),
@@ -269,10 +289,10 @@ Judgement straight_until(const Printed& printed, const Premises& given, int) {
            "somewhere for F > F_1"),
        {EvidenceKind::exact,
         fmt::format(
-            "unit chain of four links, elimination at F = 0.924 and 0.925: {}, {}. Bent shapes can exist "
-            "below F_1 as well, on an elastic base: F = F_1 + F_2 a^2 + … for L = (2, 1) has F_2 = {} "
-            "with k = (1, 1), {} with k = (1, 1/10)",
-            below, above, stiff.str(), soft.str())}});
+            "elimination at F = {} and {}, on either side of the lowest critical force: {}, {}. Bent shapes "
+            "can exist below F_1 as well, on an elastic base: F = F_1 + F_2 a^2 + … for L = (2, 1) has F_2 = "
+            "{} with k = (1, 1), {} with k = (1, 1/10)",
+            six_digits(forces[0]), six_digits(forces[1]), below, above, stiff.str(), soft.str())}});
 }
 
 Judgement negative_stiffness(const Printed& printed, int) {

@@ -59,12 +59,15 @@ Judgement excluded(const Printed& printed, int) {
     if (!arguments.contains(angle)) rest.emplace_back(angle);
   }
   const bool right = printed == rest;
-  return {right ? Verdict::confirmed : Verdict::refuted,
-          right ? ""
-                : fmt::format("the two constraints of (21) eliminate {}; q2 is an argument of E(q1, q2)",
-                              fmt::join(rest, ", ")),
-          {{EvidenceKind::exact, "four joint angles, two constraints, arguments q1 and q2"}},
-          ""};
+  return {
+      right ? Verdict::confirmed : Verdict::refuted,
+      right ? ""
+            : fmt::format(
+                  "the two constraints of (21) eliminate the angles other than the arguments of E(q_1, q_2): "
+                  "of {} {} are left",
+                  4, rest.size()),
+      {{EvidenceKind::exact, "four joint angles, two constraints, arguments q1 and q2"}},
+      ""};
 }
 
 /// printed: kind of point, stability

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "proofs/census/census.hpp"
+#include "proofs/exact/decimal.hpp"
 #include "proofs/exact/symbolic_statics.hpp"
 #include "verify/chains/loaded_chains.hpp"
 #include "verify/chains/post_buckling.hpp"
@@ -42,29 +43,42 @@ std::vector<Interval> minima(const Interval& alpha, const Interval& F) {
 }
 
 Judgement straight_in_figure(const Printed& printed, int) {
-  const std::vector<Interval> at = minima(Interval(0), Interval(Rational(199, 100)));
+  const Rational F(199, 100);
+  const std::vector<Interval> at = minima(Interval(0), Interval(F));
   const bool straight = at.size() == 1 && at[0].contains_zero();
   return judge_word(
       printed.at(0), straight ? "none" : "some", "below F_c the only stable shape is the straight one",
       {Evidence::by_theorem(
            "Two links",
            "for F <= 2k/L V >= (2k - FL) q^2, with equality at q = 0 only (V as in (3), alpha = 0)"),
-       {EvidenceKind::interval, fmt::format("F = 1.99 k/L: minima of V for -pi < q < pi isolated: {}, {}",
-                                            at.size(), straight ? "q = 0" : "not at q = 0")}});
+       {EvidenceKind::interval,
+        fmt::format("F = {} k/L: minima of V for -pi < q < pi isolated: {}, {}", proofs::to_exact(F),
+                    at.size(), straight ? "q = 0" : "not at q = 0")}});
+}
+
+/// Forces on the straight chain of two links above its critical 2 k/L.
+std::vector<Rational> above_critical() {
+  return {Rational(201, 100), Rational(5, 2), Rational(4)};
+}
+
+std::string list_of(const std::vector<Rational>& numbers) {
+  std::vector<std::string> texts;
+  for (const Rational& one : numbers) texts.push_back(proofs::to_exact(one));
+  return fmt::format("{}", fmt::join(texts, ", "));
 }
 
 Judgement bent_above(const Printed& printed, int) {
   bool bent = true;
   std::size_t count = 0;
-  for (const Rational& F : {Rational(201, 100), Rational(25, 10), Rational(4)}) {
+  for (const Rational& F : above_critical()) {
     const std::vector<Interval> at = minima(Interval(0), Interval(F));
     count = at.size();
     bent = bent && count == 2 && certainly_negative(at[0]) && certainly_positive(at[1]);
   }
   return judge_word(
       printed.at(0), bent ? "bent" : "straight", "above F_c the straight shape is a maximum of V",
-      {Evidence::at_points(
-           fmt::format("minima of V at F = 2.01, 2.5 and 4 k/L: {} each, mirror images with q != 0", count)),
+      {Evidence::at_points(fmt::format("minima of V at F = {} k/L: {} each, mirror images with q != 0",
+                                       list_of(above_critical()), count)),
        Evidence::by_theorem("Two links", "for F > 2k/L the straight shape is no minimum")});
 }
 
@@ -83,24 +97,27 @@ std::string dependence(const Interval& alpha, const std::vector<Rational>& force
 
 Judgement shape_depends(const Printed& printed, int) {
   std::string note;
-  const std::string word = dependence(Interval(0), {Rational(201, 100), Rational(25, 10), Rational(4)}, note);
+  const std::string word = dependence(Interval(0), above_critical(), note);
   return judge_word(printed.at(0), word, "the deflection at the minimum grows with F",
-                    {Evidence::at_points("deflections / L at the minima for F = 2.01, 2.5, 4 k/L: " + note),
+                    {Evidence::at_points(fmt::format("deflections / L at the minima for F = {} k/L: {}",
+                                                     list_of(above_critical()), note)),
                      Evidence::by_theorem("Two links", "force and deflection grow strictly with q")});
+}
+
+std::string alpha_of(const Premises& given) {
+  return given.at("fig-3-angle").parts.at("value").front();
 }
 
 Judgement bent_minimum(const Printed& printed, const Premises& given, int) {
   std::string note;
   const Interval alpha = given.value("fig-3-angle");
-  const std::string word =
-      dependence(alpha, {Rational(1, 2), Rational(1), Rational(2), Rational(3)}, note) == "depends"
-          ? "nonzero"
-          : "zero";
-  return judge_word(
-      printed.at(0), word, "the minimum moves away from 0 as the force grows",
-      {Evidence::at_points(
-           "alpha = pi/6, F = 0.5, 1, 2, 3 k/L: deflections / L at the minimum with alpha + q > 0: " + note),
-       Evidence::by_theorem("Two links", "force and deflection grow strictly with q")});
+  const std::vector<Rational> forces{Rational(1, 2), Rational(1), Rational(2), Rational(3)};
+  const std::string word = dependence(alpha, forces, note) == "depends" ? "nonzero" : "zero";
+  return judge_word(printed.at(0), word, "the minimum moves away from 0 as the force grows",
+                    {Evidence::at_points(fmt::format(
+                         "alpha = {}, F = {} k/L: deflections / L at the minimum with alpha + q > 0: {}",
+                         alpha_of(given), list_of(forces), note)),
+                     Evidence::by_theorem("Two links", "force and deflection grow strictly with q")});
 }
 
 Judgement through_zero(const Printed& printed, const Premises& given, int) {
@@ -121,8 +138,9 @@ Judgement resists(const Printed& printed, const Premises& given, int) {
   const Interval alpha = given.value("fig-3-angle");
   // F Delta over k: q (cos alpha - cos(alpha + q)) / sin(alpha + q), up to a positive factor
   const auto work = [&](const Interval& q) { return q * deflection(alpha, q) / sin(alpha + q); };
-  const auto pushed = certain_sign(work, Interval(Rational(1, 100)), Interval(Rational(26, 10)));
-  const auto pulled = certain_sign(work, Interval(Rational(-52, 100)), Interval(Rational(-1, 100)));
+  const Interval small(Rational(1, 100)), end = Interval::pi() * Interval(Rational(1, 1000)),
+                                          least = end - alpha, most = Interval::pi() - end - alpha;
+  const auto pushed = certain_sign(work, small, most), pulled = certain_sign(work, least, -small);
   return judge_word(
       printed.at(0), pushed == 1 && pulled == 1 ? "resists" : "does not",
       "the force has the sign of the deflection",
@@ -131,7 +149,10 @@ Judgement resists(const Printed& printed, const Premises& given, int) {
            "for 0 < alpha + q < pi F = 2kq/(L sin(alpha+q)) and Delta = 2L(cos alpha - cos(alpha+q)) "
            "both have the "
            "sign of q"),
-       {EvidenceKind::interval, "alpha = pi/6: F Delta > 0 for q in [-0.52, -0.01] and [0.01, 2.6]"}});
+       {EvidenceKind::interval,
+        fmt::format("alpha = {}: sign of F Delta for q in [{}, {}] and [{}, {}]: {}, {}", alpha_of(given),
+                    least.text(4), (-small).text(4), small.text(4), most.text(4), pulled.value_or(0),
+                    pushed.value_or(0))}});
 }
 
 // --- three links with a passive base
@@ -143,15 +164,20 @@ const PlaneProof& straight_plane(const Premises& given) {
   return prove_in_plane(straight_chain(given), Rational(1, 10000), Rational(19, 10));
 }
 
+Rational looked_at_straight() {
+  return {3, 10};
+}
+
 /// Those of one deflection, which stand for all where the proof in the plane is whole.
 const std::vector<proofs::CertifiedEquilibrium>& bent_equilibria(const Premises& given) {
   if (!straight_plane(given).whole) throw Error("straight chain", "an open range of deflections", "a proof");
-  return straight_chain(given).at(Rational(3, 10)).equilibria;
+  return straight_chain(given).at(looked_at_straight()).equilibria;
 }
 
 Evidence of_straight_chain(const Premises& given, const std::string& census) {
   return {EvidenceKind::interval,
-          "straight chain, " + straight_plane(given).text() + "; certified census at 0.3 L: " + census};
+          fmt::format("straight chain, {}; certified census at {}: {}", straight_plane(given).text(),
+                      in_lengths(looked_at_straight()), census)};
 }
 
 Judgement equilibria(const Printed& printed, const Premises& given, int) {
@@ -196,7 +222,7 @@ HeldChain quasi_straight(const Premises& given, int sign) {
 /// The U-shape that it takes.
 std::string side(const Premises& given, int sign) {
   const HeldChain chain = quasi_straight(given, sign);
-  const Rational at(3, 10);
+  const Rational at = looked_at_straight();
   return letter(reached(chain.at(at), chain.compressed(0.5), at));
 }
 
@@ -211,30 +237,29 @@ Judgement which_side(const Printed& printed, const Premises& given, int) {
       printed.at(0), chosen ? "the perturbation" : "nothing",
       "the observed shape does not depend on the rest angles",
       {{EvidenceKind::interval,
-        fmt::format(
-            "slowly compressed to 0.3 L the chain with alpha_1 = alpha_2 = {} is {}, its mirror image "
-            "{}; each is in the certified census there",
-            rest_angle(given), left, right)}});
+        fmt::format("slowly compressed to {} the chain with alpha_1 = alpha_2 = {} is {}, its mirror image "
+                    "{}; each is in the certified census there",
+                    in_lengths(looked_at_straight()), rest_angle(given), left, right)}});
 }
 
 Judgement only_stable(const Printed& printed, const Premises& given, int) {
   const HeldChain chain = quasi_straight(given, 1);
   const PlaneProof& plane = prove_in_plane(chain, 0, Rational(1, 20));
-  const Counts large(types(chain.at(Rational(3, 10))));
-  const std::string found = large.of("stable") == 1 ? "the only stable" : "one of two stable";
+  const Counts large(types(chain.at(looked_at_straight())));
+  const std::string found = large.of("stable") == 1 ? "the only stable one" : "one of two stable ones";
   const std::string observed = side(given, 1);
   Judgement result{
       Verdict::confirmed,
       "",
       {{EvidenceKind::interval,
-        fmt::format(
-            "alpha_1 = alpha_2 = {}: {}{}; certified census at 0.3 L: {}; the slowly compressed chain "
-            "is {}",
-            rest_angle(given), plane.whole ? "" : "open, ", plane.text(), large.text(), observed)}},
+        fmt::format("alpha_1 = alpha_2 = {}: {}{}; certified census at {}: {}; the slowly compressed chain "
+                    "is {}",
+                    rest_angle(given), plane.whole ? "" : "open, ", plane.text(),
+                    in_lengths(looked_at_straight()), large.text(), observed)}},
       ""};
   if (printed.at(0) == observed && printed.at(1) == found) return result;
-  result.verdict =
-      printed.at(0) == observed && printed.at(1) == "the only stable" ? Verdict::imprecise : Verdict::refuted;
+  result.verdict = printed.at(0) == observed && printed.at(1) == "the only stable one" ? Verdict::imprecise
+                                                                                       : Verdict::refuted;
   result.truth = fmt::format("slow compression leads to {}; it is {}, and the other is reached by a push",
                              observed, found);
   return result;
@@ -319,7 +344,8 @@ Judgement beyond(const Printed& printed, int) {
        {EvidenceKind::symbolic, "(phi, -phi, -phi) satisfies (6) with that force; Delta/L -> " +
                                     proofs::text(start) +
                                     " for phi -> 0, so that the shape does not jump at F_c either"},
-       {EvidenceKind::interval, "N > 0 on [1/8, 2.09] by subdivision; stable there: u-curve-stable"}});
+       {EvidenceKind::interval, fmt::format("N > 0 on [{}, {}] by subdivision; stable there: u-curve-stable",
+                                            from.text(4), to.text(4))}});
 }
 
 /// Letters without their side, sorted: the shapes of the equilibria.

@@ -221,13 +221,14 @@ Judgement forces(const Printed& printed, const Premises& given, int digits) {
         proofs::exactly(modes(given).at(mode_of_shape(given, rows_of_table_3().at(i / 2))).force.middle()),
         4);
     if (right == corrected[i]) continue;
-    reciprocals.push_back(fmt::format("{} is -1/({})", corrected[i], proofs::to_fixed(rounded, 4)));
+    reciprocals.push_back(fmt::format("{} is -1/({}), the reciprocal of the rounded eigenvalue", corrected[i],
+                                      proofs::to_fixed(rounded, 4)));
     corrected[i] = right;
   }
   if (result.verdict == Verdict::refuted && !reciprocals.empty() &&
       column_of_table_3(given, corrected, digits, &CertifiedMode::force, "F_x").verdict ==
           Verdict::confirmed) {
-    result.truth += fmt::format("; {}, the reciprocal of the rounded eigenvalue", reciprocals.front());
+    result.truth += "; " + reciprocals.front();
   }
   return result;
 }

@@ -14,6 +14,7 @@
 #include "verify/chains/loaded_chains.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/judging/comparison.hpp"
+#include "verify/judging/sign.hpp"
 #include "verify/paper/paper.hpp"
 
 namespace plumbline::verify {
@@ -142,8 +143,24 @@ Judgement stable_signs(const HeldChain& chain, const Rational& d, const Printed&
 Judgement u_signs(const Printed& printed, const Premises& given, int) {
   return stable_signs(u_chain(given), given.exact("fig-11-deflection"), printed);
 }
+
+/// The stable shapes on the sheet q_4 > 0 of the figure: imprecise where one of several is printed.
 Judgement z_signs(const Printed& printed, const Premises& given, int) {
-  return stable_signs(z_chain(given), given.exact("fig-13-deflection"), printed);
+  const Rational d = given.exact("fig-13-deflection");
+  Judgement result = stable_signs(z_chain(given), d, printed);
+  std::vector<std::string> stable, others;
+  for (const auto& one : z_chain(given).at(d).equilibria) {
+    if (sign_character(sin(one.q.at(3))) != '+') continue;
+    (one.negative_directions == 0 ? stable : others)
+        .push_back(fmt::format("{} (E = {} k)", signs(one), certified_decimal(one.energy, 4)));
+  }
+  if (result.verdict != Verdict::confirmed || stable.size() < 2) return result;
+  result.verdict = Verdict::imprecise;
+  result.truth = fmt::format(
+      "of the {} stable shapes with q_4 > 0, {}, the slowly compressed chain has {}; the saddle "
+      "there is {}",
+      stable.size(), fmt::join(stable, " and "), printed.at(0), fmt::join(others, " and "));
+  return result;
 }
 
 /// A fold makes the forces jump though the energy surface moves continuously: continuity alone proves
@@ -182,10 +199,12 @@ BranchEvent<proofs::Located> birth(const HeldChain& chain, const Rational& d) {
 Judgement singular_surface(const Printed& printed, const Premises& given, int digits) {
   const HeldChain chain = z_chain(given), u_shaped = u_chain(given);
   const BranchEvent<proofs::Located> fold = birth(chain, given.exact("fig-13-deflection"));
-  const Interval at(fold.point.load, fold.point.load), off(Rational(1, 100000));
+  const Rational next(1, 100000);
+  const std::vector<Rational> looked_at{Rational(1, 20), Rational(7, 10), Rational(7, 5)};
+  const Interval at(fold.point.load, fold.point.load), off(next);
   const std::string before = extrema(chain.at(at - off), 1), after = extrema(chain.at(at + off), 1);
-  const proofs::Census &early = u_shaped.at(Rational(1, 20)), &middle = u_shaped.at(Rational(7, 10)),
-                       &late = u_shaped.at(Rational(7, 5));
+  const proofs::Census &early = u_shaped.at(looked_at[0]), &middle = u_shaped.at(looked_at[1]),
+                       &late = u_shaped.at(looked_at[2]);
   const std::string u = extrema(early, 1);
   const bool regular = extrema(middle, 1) == u && extrema(late, 1) == u;
   const std::string z_word = before != after ? "singular" : "regular",
@@ -195,11 +214,11 @@ Judgement singular_surface(const Printed& printed, const Premises& given, int di
   Judgement result = judge_rows(
       printed, {"Z", z_word, "U", u_word}, 2, fmt::format("Z {}, U {}", z_word, u_word),
       {{EvidenceKind::interval,
-        fmt::format(
-            "certified censuses, q_4 > 0: the Z-chain 1e-5 L before ({}) and after ({}) the value; the "
-            "U-chain at 0.05, 0.7 and 1.4 L ({}; on both sheets together {} equilibria at 0.7 L, {} at 1.4 "
-            "L)",
-            before, after, u, middle.equilibria.size(), late.equilibria.size())},
+        fmt::format("certified censuses, q_4 > 0: the Z-chain {} before ({}) and after ({}) the value; the "
+                    "U-chain at {} ({}; on "
+                    "both sheets together {} equilibria at {}, {} at {})",
+                    in_lengths(next), before, after, in_lengths(looked_at), u, middle.equilibria.size(),
+                    in_lengths(looked_at[1]), late.equilibria.size(), in_lengths(looked_at[2]))},
        {EvidenceKind::mp50,
         fmt::format(
             "birth of a minimum and a saddle, a fold, located by Newton's method in 64 digits; the slowly "
@@ -216,20 +235,19 @@ Judgement forces_needed(const HeldChain& chain, const Rational& at, const Printe
   const bool along = path.everywhere(from, to, [](const auto&one) { return !one.fx.contains_zero(); }),
              across = path.everywhere(from, to, [](const auto&one) { return !one.fy.contains_zero(); });
   std::vector<std::string> lateral;
-  for (const auto& one : states(path, {Rational(1, 10), Rational(2, 5), Rational(4, 5)}))
-    lateral.push_back(certified_decimal(paper_force(one).y, 5));
+  const std::vector<Rational> looked_at{Rational(1, 10), Rational(2, 5), Rational(4, 5)};
+  for (const auto& one : states(path, looked_at)) lateral.push_back(certified_decimal(paper_force(one).y, 5));
   std::vector<std::string> found;
   if (along) found.emplace_back("Fx");
   if (across) found.emplace_back("Fy");
   Judgement result = judge_rows(
       printed, found, 1, fmt::format("{}", fmt::join(found, ", ")),
       {{EvidenceKind::interval,
-        fmt::format("proved branch from 0.01 to 1.5 L, in enclosures of all its states: not zero are {}",
-                    fmt::join(found, ", "))},
+        fmt::format("proved branch from {} to {}, in enclosures of all its states: not zero are {}",
+                    in_lengths(from), in_lengths(to), fmt::join(found, ", "))},
        {EvidenceKind::interval,
-        fmt::format(
-            "certified censuses at 0.1, 0.4 and 0.8 L, the slowly compressed chain: F_y of (6) = {} k/L",
-            fmt::join(lateral, ", "))}});
+        fmt::format("certified censuses at {}, the slowly compressed chain: F_y of (6) = {} k/L",
+                    in_lengths(looked_at), fmt::join(lateral, ", "))}});
   result.value = fmt::format("{} k/L at {} L",
                              certified_decimal(paper_force(states(path, {at})[0]).y, std::min(digits, 30)),
                              proofs::to_exact(at));

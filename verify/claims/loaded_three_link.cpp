@@ -9,6 +9,7 @@
 #include <set>
 
 #include "proofs/census/census.hpp"
+#include "proofs/exact/decimal.hpp"
 #include "proofs/exact/symbolic_statics.hpp"
 #include "verify/chains/loaded_chains.hpp"
 #include "verify/chains/post_buckling.hpp"
@@ -70,6 +71,12 @@ HeldChain snapping_chain() {
   return held(Chain<Interval>({1, 1, 1, 1}, {5, 5, 5, 6}, {angle, Interval(-2) * angle, angle, 0}));
 }
 
+std::string numbers_of(const std::vector<Interval>& list) {
+  std::vector<std::string> texts;
+  for (const Interval& one : list) texts.push_back(certified_decimal(one, 3));
+  return fmt::format("{}", fmt::join(texts, ", "));
+}
+
 Judgement always_continuous(const Printed& printed, int digits) {
   const HeldChain chain = snapping_chain();
   const SlowPath& path = chain.compressed(far);
@@ -93,14 +100,16 @@ Judgement always_continuous(const Printed& printed, int digits) {
                      certainly_less(Interval(Rational(1, 100)), nearest);
   Judgement result = as_a_rule(
       printed.at(0), jumps ? "can jump" : "continuous",
-      fmt::format("as long as no fold is met: four links, k = (5, 5, 5, 6), rest angles "
-                  "(0.6, -1.2, 0.6, 0), snap to another shape at {} L of compression",
+      fmt::format("as long as no fold is met: the chain of four links with k = ({}) and the rest angles ({}) "
+                  "snaps to "
+                  "another shape at {} L of compression",
+                  numbers_of(snapping_chain().chain.stiffness()), numbers_of(snapping_chain().chain.rest()),
                   folds[0].point.load.str(6)),
       {{EvidenceKind::interval,
         fmt::format(
-            "that chain, certified censuses at 1.14 L ({}) and 1.145 L ({}): the shape that was followed and "
-            "a saddle are gone, and no equilibrium is within 0.1 of it",
-            types(here), types(there))},
+            "that chain, certified censuses at {} ({}) and {} ({}): the shape that was followed and a saddle "
+            "are gone, and no equilibrium is near it",
+            in_lengths(before), types(here), in_lengths(after), types(there))},
        path.evidence(),
        {EvidenceKind::mp50, "fold located by Newton's method; the chain then flows to another shape"}});
   result.value = folds[0].point.load.str(std::min(digits, proofs::located_digits));
@@ -108,20 +117,19 @@ Judgement always_continuous(const Printed& printed, int digits) {
 }
 
 Judgement stiffness_amplitude(const Printed& printed, const Premises& given, int) {
+  const Rational loaded(1, 2);
+  const std::vector<Rational> at{Rational(1, 50), Rational(1, 10), Rational(3, 5)};
   const proofs::Located first = fig7_path(given).at(0).stiffness,
-                        last = fig7_path(given).at(Rational(1, 2)).stiffness;
-  const std::vector<Interval> means =
-      mean_stiffnesses(fig7_path(given), {Rational(1, 50), Rational(1, 10), Rational(3, 5)});
+                        last = fig7_path(given).at(loaded).stiffness;
+  const std::vector<Interval> means = mean_stiffnesses(fig7_path(given), at);
   const bool depends = certainly_less(means[1] * Interval(Rational(101, 100)), means[0]);
   return judge_word(
       printed.at(0), depends ? "depends" : "constant", "the stiffness does not change by a percent",
       {{EvidenceKind::interval,
-        fmt::format(
-            "chain of Fig. 7, certified censuses at 0.02, 0.1 and 0.6 L: mean stiffness {} and {} k/L^2",
-            certified_decimal(means[0], 5), certified_decimal(means[1], 5))},
-       {EvidenceKind::mp50, fmt::format("dF/dDelta is {} k/L^2 without load, {} at "
-                                        "0.5 L",
-                                        first.str(8), last.str(8))}});
+        fmt::format("chain of Fig. 7, certified censuses at {}: mean stiffness {} and {} k/L^2",
+                    in_lengths(at), certified_decimal(means[0], 5), certified_decimal(means[1], 5))},
+       {EvidenceKind::mp50, fmt::format("dF/dDelta is {} k/L^2 without load, {} at {}", first.str(8),
+                                        last.str(8), in_lengths(loaded))}});
 }
 
 /// Equations and unknowns at a given deflection.
@@ -178,25 +186,32 @@ Judgement unknowns(const Printed& printed, int) {
           ""};
 }
 
-/// The equilibria at 0.1 L, which stand for all deflections up to 1.135 L where the proof in the plane is
+/// The deflection that stands for all up to the end of the proof in the plane.
+Rational looked_at_of_all() {
+  return {1, 10};
+}
+
+/// The equilibria there, which stand for all deflections up to 1.135 L where the proof in the plane is
 /// whole.
 const proofs::Census& census_of_all(const Premises& given) {
   if (!fig7_plane(given).whole) throw Error("chain of Fig. 7", "an open range of deflections", "a proof");
-  return fig7_chain(given).at(Rational(1, 10));
+  return fig7_chain(given).at(looked_at_of_all());
 }
 
 Evidence of_fig7_chain(const Premises& given, const std::string& census) {
   return {EvidenceKind::interval,
-          "chain of Fig. 7, " + fig7_plane(given).text() + "; certified census at 0.1 L: " + census};
+          fmt::format("chain of Fig. 7, {}; certified census at {}: {}", fig7_plane(given).text(),
+                      in_lengths(looked_at_of_all()), census)};
 }
 
 /// How many equilibria there are, no joint wound up: of one kind up to 1.135 L, more beyond.
 Judgement count(const Printed& printed, const Premises& given, int) {
   const std::string found = types(census_of_all(given));
-  const proofs::Census &later = fig7_chain(given).at(Rational(1140, 1000)),
-                       &last = fig7_chain(given).at(Rational(1200, 1000));
+  const Rational beyond(57, 50), far_beyond(6, 5);
+  const proofs::Census &later = fig7_chain(given).at(beyond), &last = fig7_chain(given).at(far_beyond);
   const std::string truth =
-      fmt::format("{} up to 1.135 L; {} at 1.14 L, {} at 1.2 L", found, types(later), types(last));
+      fmt::format("{} in the range that is proved; {} at {}, {} at {}", found, types(later),
+                  in_lengths(beyond), types(last), in_lengths(far_beyond));
   const bool right = census_of_all(given).balanced && Counts(printed.at(0)) == Counts(found),
              always = found == types(later) && found == types(last);
   return {
@@ -208,9 +223,9 @@ Judgement count(const Printed& printed, const Premises& given, int) {
        {EvidenceKind::interval,
         fmt::format(
             "certified censuses of every shape with joint angles within half a turn, each with as many "
-            "stable as unstable ones, as the Euler characteristic of a circle demands: {} boxes at 1.14 L, "
-            "{}; {} at 1.2 L, {}",
-            later.boxes, types(later), last.boxes, types(last))}},
+            "stable as unstable ones, as the Euler characteristic of a circle demands: {} boxes at {}, {}; "
+            "{} at {}, {}",
+            later.boxes, in_lengths(beyond), types(later), last.boxes, in_lengths(far_beyond), types(last))}},
       ""};
 }
 
@@ -229,14 +244,19 @@ Judgement letters(const Printed& printed, const Premises& given, int) {
 
 /// Which shapes are feasible, as section 2 has the word: stable.
 Judgement feasible(const Printed& printed, const Premises& given, int) {
-  std::vector<std::string> found;
-  for (const auto& one : census_of_all(given).equilibria) {
-    if (one.negative_directions == 0) found.push_back(letter(one));
+  std::vector<std::string> stable, unstable;
+  for (const char* const name : {"U⁺", "U⁻", "Z⁺", "Z⁻"}) {
+    for (const auto& one : census_of_all(given).equilibria) {
+      if (letter(one) == name) (one.negative_directions == 0 ? stable : unstable).emplace_back(name);
+    }
   }
-  const std::string list = sorted_list(found);
-  return judge_word(sorted_list(printed), list,
-                    "feasible, which section 2 says of the stable ones, are " + list,
-                    {of_fig7_chain(given, "stable are " + list)});
+  const std::string feasible = fmt::format("{}", fmt::join(stable, " and ")),
+                    others = fmt::format("{}", fmt::join(unstable, ", "));
+  return judge_list(
+      printed, {feasible, others},
+      fmt::format("feasible, which section 2 says of the stable ones, are {}, and unfeasible {}", feasible,
+                  others),
+      {of_fig7_chain(given, "stable are " + feasible)});
 }
 
 /// How many equilibria of the chain of Fig. 7 have the least energy.
@@ -251,11 +271,11 @@ Judgement global_minimum(const Printed& printed, const Premises& given, int) {
   return judge_word(
       printed.at(0), found, found + " equilibria have the least energy",
       {of_fig7_chain(given, "one U⁺; its energy is below that of every other box at the same deflection"),
-       {EvidenceKind::interval, fmt::format("a chain is not always there: four links, k = (5, 5, 5, 6), rest "
-                                            "angles (0.6, -1.2, 0.6, 0), slowly "
-                                            "compressed to 1.14 L, have E = {} k, the lowest minimum {} k",
-                                            certified_decimal(here.energy, 5),
-                                            certified_decimal(census.equilibria.front().energy, 5))}});
+       {EvidenceKind::interval,
+        fmt::format("a chain is not always there: the chain that snaps (bent-continuous), "
+                    "slowly compressed to {}, has E = {} k, the lowest minimum {} k",
+                    in_lengths(d), certified_decimal(here.energy, 5),
+                    certified_decimal(census.equilibria.front().energy, 5))}});
 }
 
 /// The shape of the chain of Fig. 7 at rest.

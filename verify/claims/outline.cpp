@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <set>
 
 #include "verify/claims/claims.hpp"
 #include "verify/judging/comparison.hpp"
@@ -38,15 +39,45 @@ Judgement contents(const Printed& printed, int) {
 /// printed: the sections on singular and non-singular initial configurations
 Judgement on_configurations(const Printed& printed, int) {
   const auto [found, headings] = sections_on({"the non-straight", "the straight"});
-  return judge_list(printed, found, fmt::format("they are sections {}", fmt::join(found, " and ")),
+  const bool next = found.size() == 1 && found.front() == "3";
+  const std::string words = next ? "the following section that concentrates"
+                                 : fmt::format("sections {} that concentrate", fmt::join(found, " and "));
+  return judge_word(printed.at(0), words, fmt::format("they are sections {}", fmt::join(found, " and ")),
                     {{EvidenceKind::exact, headings}});
 }
 
-/// printed: the section that has the mechanism of Fig. 4
+/// The premises of a section's claims.
+std::vector<Premise> premises_of(const std::string& section) {
+  std::vector<Premise> all;
+  for (const Claim& claim : in_section(paper().claims, section))
+    all.insert(all.end(), claim.given.list().begin(), claim.given.list().end());
+  return all;
+}
+
+/// printed: a section before 4.1 that considers the mechanism of Fig. 4, three links on a passive base
 Judgement section_of_figure_4(const Printed& printed, int) {
-  const std::string found = section_of(paper().claim("eq-4"));
-  return judge_word(printed.at(0), found, "Fig. 4 and its equations stand in section " + found,
-                    {{EvidenceKind::exact, "(4), the end point of Fig. 4, stands in section " + found}});
+  const std::string section = printed.at(0);
+  const auto all = section < "4" ? premises_of(section) : std::vector<Premise>{};
+  const bool considers = std::any_of(all.begin(), all.end(), [](const Premise& one) {
+    const auto stiffness = one.parts.find("stiffness");
+    return stiffness != one.parts.end() && stiffness->second.size() == 3 && stiffness->second.front() == "0";
+  });
+  const std::string defines = section_of(paper().claim("eq-4"));
+  return judge_word(
+      considers ? section : defines, section, "Fig. 4 and its equations stand in section " + defines,
+      {{EvidenceKind::exact, fmt::format("claims of section {} are made of three links on a passive base: {}",
+                                         section, considers)}});
+}
+
+/// What the chains of the section after 3.1 are made of, by the premises of its claims.
+Judgement made_of(const Printed& printed, int) {
+  std::set<std::string> chains;
+  for (const Premise& one : premises_of("3.2"))
+    if (one.parts.contains("stiffness")) chains.insert(one.id);
+  return judge_word(printed.at(0), chains.empty() ? "the tensegrity mechanisms" : "elastic joints",
+                    "the chains of section 3.2 are links with elastic joints",
+                    {{EvidenceKind::exact, fmt::format("premises of section 3.2 with a stiffness a joint: {}",
+                                                       fmt::join(chains, ", "))}});
 }
 
 /// How many things a symbol is: sine in (7), vector in (28), where both print it.
@@ -71,6 +102,7 @@ Checks claims::outline() {
       {"following-section", on_configurations},
       {"fig-4-section", section_of_figure_4},
       {"symbol-s0", meanings_of_s0},
+      {"tensegrity", made_of},
   };
 }
 

@@ -7,6 +7,7 @@
 #include <Eigen/LU>
 #include <plumbline/loaded/equilibrium.hpp>
 
+#include "proofs/exact/decimal.hpp"
 #include "proofs/exact/enclosure.hpp"
 #include "proofs/exact/expression.hpp"
 #include "verify/chains/loaded_chains.hpp"
@@ -36,8 +37,8 @@ Judgement coupled(const Printed& printed, int) {
   const std::string found = !bends ? "always" : straight_without ? "without coupling" : "never";
   Judgement result = judge_word(
       printed.at(0), found,
-      "so as long as axial and bending compliance are not coupled: where they are, the chain bends from the "
-      "smallest force on, and there is no straight state to lose its stability",
+      "true where axial and bending compliance are not coupled: a link in which they are turns by " +
+          proofs::text(turn) + " under an axial force F, to first order, from the smallest on",
       {{EvidenceKind::symbolic,
         "one link, energy kappa u^2/2 + c u q + k q^2/2 less the work of an axial force F: "
         "it turns by " +
@@ -62,7 +63,7 @@ Judgement end_torque(const Printed& printed, int) {
       "under a torque at its end the straight chain is no equilibrium",
       {{EvidenceKind::symbolic,
         "two links: the gradient of E - m (q_1 + q_2) at q = 0 is -m in each joint: the chain bends "
-        "from the start, and there is no bifurcation"}});
+        "from the start"}});
 }
 
 using Unknowns = Eigen::Matrix<double, 5, 1>;  ///< three joint angles, F_x, F_y
@@ -99,8 +100,9 @@ std::pair<Unknowns, Eigen::Matrix<double, 5, 5>> equations(const HeldChain& held
 Judgement restart(const Printed& printed, const Premises& given, int) {
   const HeldChain chain = held(given, "fig-7-chain");
   const Rational d(1, 10);
-  const double x = static_cast<double>(chain.reach.middle()) - 0.1;
+  const double x = static_cast<double>(chain.reach.middle()) - from_rational<double>(d);
   constexpr int starts = 100;
+  constexpr double off = 0.01;
   std::size_t back = 0, all = 0;
   for (const auto& one : chain.at(d).equilibria) {
     if (one.negative_directions == std::size_t{0}) continue;
@@ -113,7 +115,7 @@ Judgement restart(const Printed& printed, const Premises& given, int) {
       Unknowns at = at_rest;
       const double turn =
           2 * 3.14159265358979 * start / starts;  // in all directions of two angles, and the third
-      at(0) += 0.01 * std::cos(turn), at(1) += 0.01 * std::sin(turn), at(2) += 0.01 * std::cos(3 * turn);
+      at(0) += off * std::cos(turn), at(1) += off * std::sin(turn), at(2) += off * std::cos(3 * turn);
       for (int step = 0; step < 30; ++step) {
         const auto [f, D] = equations(chain, x, at);
         at -= D.partialPivLu().solve(f);
@@ -125,15 +127,17 @@ Judgement restart(const Printed& printed, const Premises& given, int) {
   const std::string found = all > 0 && 2 * back > all ? "by minimising" : "by any routine";
   Judgement result = judge_word(
       printed.at(0), found,
-      "so where the energy is minimised: Newton's iteration on the equations of equilibrium goes back to the "
-      "unstable state",
+      fmt::format(
+          "true where the energy is minimised: of {} starts of Newton's iteration on (5), (6), each {} rad "
+          "from an unstable state of the chain of Fig. 7 at {} L, {} lead back to it",
+          all, off, proofs::to_exact(d), back),
       {Evidence::by_theorem("Stability",
                             "where a direction is negative the energy falls away from the state"),
        {EvidenceKind::real64,
         fmt::format(
-            "chain of Fig. 7 at 0.1 L, its unstable equilibria disturbed by 0.01 rad in {} directions each, "
+            "chain of Fig. 7 at {} L, its unstable equilibria disturbed by {} rad in {} directions each, "
             "Newton's method on (5), (6): {} of {} starts lead back",
-            starts, back, all)}});
+            proofs::to_exact(d), off, starts, back, all)}});
   if (result.verdict == Verdict::refuted && found == "by minimising") result.verdict = Verdict::imprecise;
   return result;
 }

@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "proofs/census/census.hpp"
+#include "proofs/exact/decimal.hpp"
 #include "proofs/exact/exactly.hpp"
 #include "verify/chains/loaded_chains.hpp"
 #include "verify/claims/claims.hpp"
@@ -25,8 +26,8 @@ const SlowPath& z_path(const Premises& given) {
 /// A sharp knee: the stiffness falls to a tenth within a tenth of L.
 Judgement z_smooth(const Printed& printed, const Premises& given, int) {
   const bool smooth = z_path(given).regular();
-  const std::vector<Interval> slopes = mean_stiffnesses(
-      z_path(given), {Rational(11, 100), Rational(12, 100), Rational(21, 100), Rational(22, 100)});
+  const std::vector<Rational> at{Rational(11, 100), Rational(12, 100), Rational(21, 100), Rational(22, 100)};
+  const std::vector<Interval> slopes = mean_stiffnesses(z_path(given), at);
   const bool knee = certainly_less(given.value("knee") * slopes[2], slopes[0]);
   return judge_word(
       printed.at(0),
@@ -35,10 +36,9 @@ Judgement z_smooth(const Printed& printed, const Premises& given, int) {
               : "smooth",
       "it bends, but has no knee",
       {{EvidenceKind::interval,
-        fmt::format("certified censuses: mean stiffness {} k/L^2 between 0.11 and 0.12 L, {} between 0.21 "
-                    "and 0.22 L: a "
-                    "knee, without a kink or a jump",
-                    certified_decimal(slopes[0], 5), certified_decimal(slopes[2], 5))},
+        fmt::format(
+            "certified censuses at {}: mean stiffness {} k/L^2 between the first two, {} between the last",
+            in_lengths(at), certified_decimal(slopes[0], 5), certified_decimal(slopes[2], 5))},
        z_path(given).evidence(),
        {EvidenceKind::interval,
         "along the proved branch the Hessian on the tangent space is definite, so by the implicit function "
@@ -46,36 +46,35 @@ Judgement z_smooth(const Printed& printed, const Premises& given, int) {
 }
 
 Judgement z_soft(const Printed& printed, const Premises& given, int) {
-  const std::vector<Interval> slopes =
-      mean_stiffnesses(z_path(given), {Rational(1, 100), Rational(1, 50), Rational(1, 2), Rational(7, 10)});
+  const std::vector<Rational> at{Rational(1, 100), Rational(1, 50), Rational(1, 2), Rational(7, 10)};
+  const std::vector<Interval> slopes = mean_stiffnesses(z_path(given), at);
   const bool low = certainly_less(given.value("very-low") * slopes[2], slopes[0]);
   return judge_word(
       printed.at(0), low ? "very low" : "not low", "the stiffness does not become low",
       {{EvidenceKind::interval,
-        fmt::format("certified censuses: mean stiffness {} k/L^2 between 0.01 and 0.02 L, {} between 0.5 "
-                    "and 0.7 L",
-                    certified_decimal(slopes[0], 5), certified_decimal(slopes[2], 5))}});
+        fmt::format(
+            "certified censuses at {}: mean stiffness {} k/L^2 between the first two, {} between the last",
+            in_lengths(at), certified_decimal(slopes[0], 5), certified_decimal(slopes[2], 5))}});
 }
 
 /// Whether the path has two parts, one steep and one flat.
 Judgement z_two_parts(const Printed& printed, const Premises& given, int) {
-  const std::vector<Interval> slopes =
-      mean_stiffnesses(z_path(given), {Rational(1, 100), Rational(3, 20), Rational(1, 5), Rational(3, 2)});
+  const std::vector<Rational> at{Rational(1, 100), Rational(3, 20), Rational(1, 5), Rational(3, 2)};
+  const std::vector<Interval> slopes = mean_stiffnesses(z_path(given), at);
   const bool two = z_path(given).stiff() && certainly_less(given.value("very-slowly") * slopes[2], slopes[0]);
-  return judge_word(
-      printed.at(0), two ? "fast, then very slow" : "even", "the force grows evenly",
-      {{EvidenceKind::interval, fmt::format("certified censuses at 0.01, 0.15, 0.2 and 1.5 L: mean stiffness "
-                                            "between them {}, {} and {} k/L^2",
-                                            certified_decimal(slopes[0], 4), certified_decimal(slopes[1], 4),
-                                            certified_decimal(slopes[2], 4))},
-       z_path(given).evidence()});
+  return judge_word(printed.at(0), two ? "fast, then very slow" : "even", "the force grows evenly",
+                    {{EvidenceKind::interval,
+                      fmt::format("certified censuses at {}: mean stiffness between them {}, {} and {} k/L^2",
+                                  in_lengths(at), certified_decimal(slopes[0], 4),
+                                  certified_decimal(slopes[1], 4), certified_decimal(slopes[2], 4))},
+                     z_path(given).evidence()});
 }
 
 /// How fast the links of the Z-chain turn where it softens and beyond, against the beginning.
 Judgement fast(const Printed& printed, const Premises& given, int) {
-  const std::vector<proofs::CertifiedEquilibrium> at =
-      states(z_path(given),
-             {Rational(1, 20), Rational(1, 10), Rational(17, 100), Rational(19, 100), Rational(2, 5)});
+  const std::vector<Rational> looked_at{Rational(1, 20), Rational(1, 10), Rational(17, 100),
+                                        Rational(19, 100), Rational(2, 5)};
+  const std::vector<proofs::CertifiedEquilibrium> at = states(z_path(given), looked_at);
   const auto turn = [&](std::size_t i) {
     Interval square(0), theta(0);
     for (std::size_t j = 0; j < at[i].q.size(); ++j) {
@@ -91,16 +90,15 @@ Judgement fast(const Printed& printed, const Premises& given, int) {
   const bool faster = certainly_less(number(factors.at(0)) * slow, quick) &&
                       certainly_less(number(factors.at(1)) * slow_by_force, quick_by_force);
   const std::string found = !z_path(given).regular() ? "instant" : faster ? "fast, not instant" : "slow";
-  return judge_word(printed.at(0), found, "the shape does not change faster, or it jumps",
-                    {{EvidenceKind::interval,
-                      fmt::format("certified censuses at 0.05, 0.1, 0.17, 0.19 and 0.4 L: the links turn by "
-                                  "{} rad per L between the "
-                                  "first two, {} from 0.17 to 0.19 L; by {} rad per k/L of the force between "
-                                  "the first two, {} from "
-                                  "0.19 to 0.4 L",
-                                  certified_decimal(slow, 4), certified_decimal(quick, 4),
-                                  certified_decimal(slow_by_force, 4), certified_decimal(quick_by_force, 4))},
-                     z_path(given).evidence()});
+  return judge_word(
+      printed.at(0), found, "the shape does not change faster, or it jumps",
+      {{EvidenceKind::interval,
+        fmt::format("certified censuses at {}: the links turn by {} rad per L between the first two, {} "
+                    "between the third and the fourth; by {} rad per k/L of the force between the first "
+                    "two, {} between the last two",
+                    in_lengths(looked_at), certified_decimal(slow, 4), certified_decimal(quick, 4),
+                    certified_decimal(slow_by_force, 4), certified_decimal(quick_by_force, 4))},
+       z_path(given).evidence()});
 }
 
 /// The variable by which the compression F_x has a positive derivative.
@@ -124,8 +122,8 @@ Judgement z_keeps(const Printed& printed, const Premises& given, int digits) {
   const std::vector<proofs::CertifiedEquilibrium> ends =
       states(z_path(given), {Rational(7, 10), Rational(3, 2)});
   const std::string found = signs(ends[0]), last = signs(ends[1]);
-  std::string leaves = "not up to 1.5 L", value;
   Rational until(3, 2);
+  std::string leaves = "not up to " + in_lengths(until), value;
   for (std::size_t joint = 0; joint < found.size() && joint < last.size(); ++joint) {
     if (found[joint] == last[joint]) continue;
     const proofs::Located at = straightens_at(z_path(given), joint, Rational(7, 10), Rational(3, 2));
@@ -201,18 +199,21 @@ Judgement under_force(const Printed& printed, const Premises& given, int) {
 }
 
 Judgement several(const Printed& printed, int digits) {
-  const HeldChain chain =
-      held(Chain<Interval>({1, 1, 1}, {0, 1, 2}, {0, Interval(Rational(11, 10)), Interval(Rational(-3, 2))}));
-  const SlowPath& path = chain.compressed(1.4);
+  const Rational second(11, 10), third(-3, 2), last(7, 5);
+  const HeldChain chain = held(Chain<Interval>({1, 1, 1}, {0, 1, 2}, {0, Interval(second), Interval(third)}));
+  const SlowPath& path = chain.compressed(from_rational<double>(last));
   const auto points = path.of_kind(EventKind::quasi_buckling);
   const std::string count = std::to_string(path.softest());
-  Judgement result = judge_word(
-      printed.at(0), path.softest() > 1 ? "possible" : "open", "they exist",
-      {{EvidenceKind::interval, "three links, passive base, k = (0, 1, 2), rest angles 1.1 and -1.5: " +
-                                    count + " minima of the tangent stiffness up to 1.4 L"},
-       path.evidence(),
-       {EvidenceKind::mp50,
-        fmt::format("{} points of least stiffness located in 64 digits", points.size())}});
+  Judgement result =
+      judge_word(printed.at(0), path.softest() > 1 ? "possible" : "open", "they exist",
+                 {{EvidenceKind::interval,
+                   fmt::format("three links, passive base, the last joint twice as stiff, rest angles {} and "
+                               "{}: {} minima of the "
+                               "tangent stiffness up to {}",
+                               proofs::to_exact(second), proofs::to_exact(third), count, in_lengths(last))},
+                  path.evidence(),
+                  {EvidenceKind::mp50,
+                   fmt::format("{} points of least stiffness located in 64 digits", points.size())}});
   for (const auto& event : points)
     result.value += (result.value.empty() ? "" : "; ") + located(event.point.load, digits);
   return result;

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <bit>
 #include <plumbline/chain/linearised.hpp>
 #include <plumbline/straight/critical_force.hpp>
 #include <regex>
@@ -42,9 +41,9 @@ const Place places[] = {
     {"(34)", "eq-34", 0, "1/Fx", 1},
     {"(35)", "eq-35-force", 0, "1/lambda", 1},
     {"Table 2", "table-2-row-1", 0, "1.0822", 1},
-    {"(36)", "eq-36", 0, "1/max(lambda)", 1},
+    {"(36)", "eq-36", 0, "1/max|lambda|", 1},
     {"Table 3", "table-3-forces", 1, "0.9240", 1},
-    {"step 4", "algorithm-1-step-4", 0, "1/max(lambda)", 1},
+    {"step 4", "algorithm-1-step-4", 0, "1/max|lambda|", 1},
 };
 
 /// The sign of the non-zero eigenvalues of B^-1 A, unit chain of four links, with a sign of K in B.
@@ -95,16 +94,16 @@ std::string algorithm1_against(const Chain<Rational>& exact, const Interval& cer
       static_cast<double>(deviation));
 }
 
-/// "-1/max(lambda)", lambda the absolute values of the eigenvalues, as the lowest force of the unit chain of
+/// "-1/max|lambda|", over the eigenvalues, as the lowest force of the unit chain of
 /// four links, at a place of the paper.
 Judgement lowest_force_at(const std::string& place, const Printed& printed, const Premises& given,
                           int digits) {
   const Chain<Rational> chain = given.exact_chain("unit-chain");
-  static const std::regex form(R"(([+-]?)(\d+)/(max|min)\(lambda\))");
+  static const std::regex form(R"(([+-]?)(\d+)/(max|min)\|lambda\|)");
   std::smatch parts;
   const std::string text = printed.at(0);
   if (!std::regex_match(text, parts, form))
-    throw Error("claim", "'" + text + "'", "-1/max(lambda) or the like");
+    throw Error("claim", "'" + text + "'", "-1/max|lambda| or the like");
   const auto forces = proofs::enclose_critical_forces(chain, chain.size() - 1, 60);
   const auto enclosed = [](const proofs::ForceEnclosure& force) {
     return hull(Interval(force.low), Interval(force.high));
@@ -120,8 +119,10 @@ Judgement lowest_force_at(const std::string& place, const Printed& printed, cons
   if (!size) result.verdict = Verdict::refuted;
   if (result.verdict != Verdict::confirmed)
     result.truth =
-        "F_x^0 = +1/max|lambda_i|: every non-zero lambda_i is negative and (35) reads F_x = -1/lambda_i > 0, "
-        "as Table 3 lists it (0.9240)";
+        "F_x^0 = +1/max|lambda_i|: every non-zero lambda_i is negative, so that (35) makes every force "
+        "positive; of "
+        "the chain of the example the lowest is " +
+        certified_decimal(lowest, 4);
   result.evidence.insert(result.evidence.begin(),
                          Evidence::by_checked_theorem("Definiteness", {"eigenvalues.eigenvalues"},
                                                       "all n - 1 forces -1/lambda_i are positive"));
@@ -137,6 +138,19 @@ Judgement force_of_36(const Printed& printed, const Premises& given, int digits)
 }
 Judgement force_of_step_4(const Printed& printed, const Premises& given, int digits) {
   return lowest_force_at("step 4", printed, given, digits);
+}
+
+/// What there is to choose between: "; all signs agree with those of (24), (36) turned, …".
+std::string ways_to_agree(const Signs& signs) {
+  std::string text;
+  for (const auto& set : corrections(signs)) {
+    Signs turned = signs;
+    for (const std::string& place : set) turned[place] *= -1;
+    text += fmt::format("{} {} turned, F_x being {} in compression",
+                        text.empty() ? "; all signs agree with those of" : ", or with those of",
+                        fmt::join(set, ", "), turned.at("Table 3") > 0 ? "positive" : "negative");
+  }
+  return text;
 }
 
 /// (24): each entry ±k_i q_i, all with one sign.
@@ -155,9 +169,7 @@ Judgement torques(const Printed& printed, int) {
   Judgement result = judge_place("(24)", signs);
   if (!springs) result.verdict = Verdict::refuted;
   if (result.verdict != Verdict::confirmed)
-    result.truth =
-        "M = +(k_1 q_1, …, k_n q_n), as in (6), (14), (18) and (29): with F_x positive in compression, as it "
-        "is there and in Table 3";
+    result.truth = "M = +(k_1 q_1, …, k_n q_n), as in (6) and (29)" + ways_to_agree(signs);
   return result;
 }
 
@@ -190,28 +202,30 @@ Signs printed_signs() {
   return instance;
 }
 
-std::vector<std::set<std::string>> smallest_corrections(const Signs& printed) {
+std::vector<std::set<std::string>> corrections(const Signs& printed) {
   std::vector<std::string> names;
   for (const auto& [name, sign] : printed) names.push_back(name);
   std::vector<std::set<std::string>> found;
-  for (std::size_t size = 0; size <= names.size() && found.empty(); ++size) {
-    for (unsigned set = 0; set < 1U << names.size(); ++set) {
-      if (static_cast<std::size_t>(std::popcount(set)) != size) continue;
-      Signs turned = printed;
-      std::set<std::string> chosen;
-      for (std::size_t i = 0; i < names.size(); ++i) {
-        if ((set >> i & 1U) == 0) continue;
-        turned[names[i]] *= -1;
-        chosen.insert(names[i]);
-      }
-      if (agree(turned)) found.push_back(chosen);
+  for (unsigned set = 0; set < 1U << names.size(); ++set) {
+    Signs turned = printed;
+    std::set<std::string> chosen;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if ((set >> i & 1U) == 0) continue;
+      turned[names[i]] *= -1;
+      chosen.insert(names[i]);
     }
+    if (agree(turned)) found.push_back(std::move(chosen));
   }
+  std::stable_sort(found.begin(), found.end(),
+                   [](const auto& a, const auto& b) { return a.size() < b.size(); });
   return found;
 }
 
 Judgement judge_place(const std::string& place, const Signs& signs) {
-  const auto smallest = smallest_corrections(signs);
+  auto smallest = corrections(signs);
+  std::erase_if(smallest, [size = smallest.empty() ? 0 : smallest.front().size()](const auto& set) {
+    return set.size() > size;
+  });
   const auto turned = std::count_if(smallest.begin(), smallest.end(),
                                     [&](const std::set<std::string>& set) { return set.contains(place); });
   std::vector<std::string> sets;

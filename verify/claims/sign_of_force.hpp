@@ -19,8 +19,9 @@ using Signs = std::map<std::string, int>;
 /// As printed in the paper.
 Signs printed_signs();
 
-/// Every smallest set of places whose signs have to be turned so that equations, method and tables agree.
-std::vector<std::set<std::string>> smallest_corrections(const Signs& printed);
+/// Every set of places whose signs can be turned so that equations, method and tables agree, the smallest
+/// first.
+std::vector<std::set<std::string>> corrections(const Signs& printed);
 
 /// Whether the sign at a place stands: confirmed where no smallest set turns it, refuted where all do,
 /// convention where some do. `signs` are those of the paper, but for an altered print's own.

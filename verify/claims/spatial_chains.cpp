@@ -257,24 +257,28 @@ Judgement linear_equation(const Printed& printed, int) {
     }
     return sqrt(most);
   };
-  const Interval far = remainder(Rational(1, 1000)), near = remainder(Rational(1, 10000));
+  const Rational large(1, 1000), small(1, 10000);
+  const Interval far = remainder(large), near = remainder(small);
   const bool second_order = certainly_less(Interval(50) * near, far);
   return judge_word(
       printed.at(0), second_order ? "linear" : "another", "it has other terms of first order",
       {{EvidenceKind::interval,
-        fmt::format("six links, planes at 60 degrees, F = 0.6: moments by the exact rotations less "
-                    "K q + F d^2x q + lateral forces: {} at turns of 1e-3, {} at 1e-4: second order",
-                    certified_decimal(far, 3), certified_decimal(near, 3))}});
+        fmt::format(
+            "six links, planes at 60 degrees, a force below the critical one: moments by the exact rotations "
+            "less K q + F d^2x q + lateral forces: {} at turns of {}, {} at {}: second order",
+            certified_decimal(far, 3), proofs::to_exact(large), certified_decimal(near, 3),
+            proofs::to_exact(small))}});
 }
 
 /// Whether the loss of stability is that of a pencil on the n - 2 free directions: as many forces.
 Judgement by_eigenvalues(const Printed& printed, int) {
   bool all = true;
   std::string list;
+  const Rational low(1, 100), high(100);
   for (const int angle : {90, 60, 30}) {
     const SpatialChain chain = spatial_chain(degrees(angle));
-    const auto none = negative_directions(chain, Interval(Rational(1, 100))),
-               every = negative_directions(chain, Interval(Rational(100)));
+    const auto none = negative_directions(chain, Interval(low)),
+               every = negative_directions(chain, Interval(high));
     all = all && none == std::size_t{0} && every == chain.size() - 2;
     list += fmt::format("{}{} at {} degrees", list.empty() ? "" : ", ", every.value_or(0), angle);
   }
@@ -286,9 +290,10 @@ Judgement by_eigenvalues(const Printed& printed, int) {
   return judge_word(
       printed.at(0), all ? "eigenvalues" : "another", "they are not the eigenvalues of a pencil",
       {{EvidenceKind::interval,
-        "K - F M, symmetric, M = -d^2x, on the directions that keep the end point on the axis: no "
-        "negative direction at F = 0.01; at F = 100, of four possible, " +
-            list + ": so many eigenvalues lie in between"},
+        fmt::format(
+            "K - F M, symmetric, M = -d^2x, on the directions that keep the end point on the axis: no "
+            "negative direction at F = {}; at F = {}, of {} possible, {}: so many eigenvalues lie in between",
+            proofs::to_exact(low), proofs::to_exact(high), spatial_chain(Interval(0)).size() - 2, list)},
        {EvidenceKind::exact, fmt::format("the planes at the cosine 3/5, in fractions: {} positive "
                                          "eigenvalues, the lowest {}; standing upright, "
                                          "each link of weight {}: {}, the lowest {}",

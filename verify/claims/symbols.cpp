@@ -32,9 +32,14 @@ struct ThreeLinks {
   }
 };
 
-/// All equilibria of the chain of Fig. 7 at 0.1 L.
+/// The deflection at which the chain of Fig. 7 is looked at.
+Rational looked_at() {
+  return {1, 10};
+}
+
+/// All of its equilibria there.
 const proofs::Census& census(const Premises& given) {
-  return held(given, "fig-7-chain").at(Rational(1, 10));
+  return held(given, "fig-7-chain").at(looked_at());
 }
 
 /// The size of a printed vector such as "[Fx Fy]^T", which has to have these entries.
@@ -110,7 +115,9 @@ Judgement one_phi(const Printed& printed, const Premises& given, int) {
           : "phi of (4) is the first link's orientation without load, with y_0 = 0, and phi of "
             "(5) that under it: the base joint turns",
       {{EvidenceKind::interval,
-        "chain of Fig. 7 at 0.1 L, certified census: phi of each equilibrium put into (4) gives y_0 != 0"}},
+        fmt::format(
+            "chain of Fig. 7 at {}, certified census: phi of each equilibrium put into (4) gives y_0 != 0",
+            in_lengths(looked_at()))}},
       ""};
 }
 
@@ -154,14 +161,14 @@ Judgement elbow_sine(const Printed& printed, const Premises& given, int) {
   for (const auto& one : census(given).equilibria) found.insert(sign_character(sin(one.q[2])));
   const bool right =
       proofs::identical(square, sin(a) * sin(a)) && printed.at(1) == std::to_string(found.size());
-  return {right ? Verdict::confirmed : Verdict::refuted,
-          right ? "" : fmt::format("S_2^2 = 1 - C2^2, and {} signs of S_2 occur", found.size()),
-          {{EvidenceKind::symbolic, "C2 and S_2 are cosine and sine of the third joint's angle"},
-           {EvidenceKind::interval,
-            fmt::format("chain of Fig. 7 at 0.1 L, certified census: {} signs of the third "
-                        "joint's sine among the equilibria",
-                        found.size())}},
-          ""};
+  return {
+      right ? Verdict::confirmed : Verdict::refuted,
+      right ? "" : fmt::format("S_2^2 = 1 - C2^2, and {} signs of S_2 occur", found.size()),
+      {{EvidenceKind::symbolic, "C2 and S_2 are cosine and sine of the third joint's angle"},
+       {EvidenceKind::interval, fmt::format("chain of Fig. 7 at {}, certified census: {} signs of the third "
+                                            "joint's sine among the equilibria",
+                                            in_lengths(looked_at()), found.size())}},
+      ""};
 }
 
 /// What tells the equilibria apart.
@@ -172,9 +179,9 @@ Judgement not_unique(const Printed& printed, const Premises& given, int) {
       printed.at(0), count['+'] > 0 && count['-'] > 0 ? "the sign" : "phi",
       "all of them have one sign of S_2",
       {{EvidenceKind::interval,
-        fmt::format("chain of Fig. 7 at 0.1 L, certified census: {} equilibria with S_2 > 0, {} with "
+        fmt::format("chain of Fig. 7 at {}, certified census: {} equilibria with S_2 > 0, {} with "
                     "S_2 < 0; so either sign has several, which phi tells apart",
-                    count['+'], count['-'])}});
+                    in_lengths(looked_at()), count['+'], count['-'])}});
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "verify/chains/straight_chains.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/judging/comparison.hpp"
+#include "verify/judging/notation.hpp"
 #include "verify/judging/sign.hpp"
 
 namespace plumbline::verify {
@@ -111,9 +112,10 @@ Judgement limit_of(const proofs::SymbolicShape& s, const Printed& printed, const
   if (below != m - 1 || above != m)
     throw Error("critical force", "different results of limit and recursion", "agreement");
   result.evidence.push_back(
-      {EvidenceKind::exact, fmt::format("recursion on L = (1,1,1), k = (0,1,1): {} critical forces "
-                                        "below it less 1e-6, {} below it plus 1e-6",
-                                        below, above)});
+      {EvidenceKind::exact,
+       fmt::format("recursion on the chain: {} critical forces below it less {}, {} below it "
+                   "plus that",
+                   below, proofs::to_exact(nudge), above)});
   result.value = proofs::text(limit);
   return result;
 }
@@ -135,12 +137,12 @@ Judgement no_exact_solution(const Printed& printed, int) {
   if (!balanced(z_shape(), closed))
     throw Error("Z-shape", "a closed form that does not solve (18)", "one that does");
   return judge_word(
-      printed.at(0), solvable ? "solutions" : "no solutions",
-      "with the right entry (1,1) of (17) the three equations do have an exact solution at (phi, -3 phi, 3 "
-      "phi), for "
-      "every phi with sin 3 phi != 0: F = 3 k phi / (L sin 3 phi) (cos 2 phi + 2 cos phi, 2 sin phi - sin 2 "
-      "phi), along "
-      "the line from the base to the end point, which lies off the axis",
+      printed.at(0), solvable ? "have exact solutions" : "do not have exact solutions",
+      fmt::format(
+          "with the right entry (1,1) of (17) the three equations have an exact solution at (phi, -3 phi, "
+          "3 phi) where sin 3 phi != 0: F_x = {}, F_y = {}, along the line from the base to the end point, "
+          "which lies off the axis",
+          formula_in_print(proofs::text(closed.Fx)), formula_in_print(proofs::text(closed.Fy))),
       {{EvidenceKind::symbolic, fmt::format("F_x and F_y from equations 2 and 3 put into the corrected "
                                             "equation 1: the residual {} identically; F "
                                             "parallel to the end point: {}",
@@ -214,7 +216,8 @@ Judgement curves_begin(const Printed& printed, const Premises& given, int) {
   std::vector<std::string> limits;
   for (const proofs::SymbolicShape& s : {u_shape(), z_shape()})
     limits.push_back(proofs::text((proofs::limit_at_zero(solve(s).Fx, phi()) * L() / k()).normal()));
-  const proofs::Census census = held(given, "three-links").at(Rational(1, 1000));
+  const Rational d(1, 1000);
+  const proofs::Census census = held(given, "three-links").at(d);
   bool near = census.equilibria.size() == 4;
   std::vector<std::string> found;
   for (const auto& one : census.equilibria) {
@@ -227,8 +230,8 @@ Judgement curves_begin(const Printed& printed, const Premises& given, int) {
   return judge_list(
       printed, near ? limits : std::vector<std::string>{}, fmt::format("{} k/L", fmt::join(limits, " and ")),
       {{EvidenceKind::symbolic, "limits (16) and (20) from the solutions of (14) and (18)"},
-       {EvidenceKind::interval,
-        fmt::format("certified census of the straight chain at 0.001 L: {} k/L", fmt::join(found, ", "))}});
+       {EvidenceKind::interval, fmt::format("certified census of the straight chain at {}: {} k/L",
+                                            in_lengths(d), fmt::join(found, ", "))}});
 }
 
 /// Twice E - F delta_x to second order in small joint angles: its sign on the directions that keep the end
@@ -283,20 +286,22 @@ Judgement stable_curve(const Printed& printed, int) {
   }
   const ex closed = 2 * k() * (1 + 2 * cos(phi())) * (1 + 2 * cos(phi()) - phi() * cos(phi()) / sin(phi()));
   if (!proofs::identical(form, closed)) throw Error("U-shape", proofs::text(form), proofs::text(closed));
+  const Rational from(1, 1000), to(209, 100);
   const auto positive = certain_sign(
       [](const Interval& x) {
         const Interval two_cos = Interval(1) + Interval(2) * cos(x);
         return two_cos * (two_cos * sin(x) - x * cos(x));
       },
-      Interval(Rational(1, 1000)), Interval(Rational(209, 100)));
+      Interval(from), Interval(to));
   const ex at_zero = proofs::limit_at_zero(closed / k(), phi());
   const bool stable = positive == 1 && at_zero.info(GiNaC::info_flags::positive);
-  return judge_word(printed.at(0), stable ? "stable" : "unstable", "the U-shape is stable",
-                    {{EvidenceKind::interval,
-                      "second variation under an imposed end point, 2k (1 + 2c)(1 + 2c - phi c / sin phi) "
-                      "with c = cos phi, "
-                      "positive on [0.001, 2.09] by subdivision, limit at 0: " +
-                          proofs::text(at_zero) + " k; the end point reaches the base at phi = 2 pi / 3"}});
+  return judge_word(
+      printed.at(0), stable ? "stable" : "unstable", "the U-shape is stable",
+      {{EvidenceKind::interval,
+        fmt::format("second variation under an imposed end point, 2k (1 + 2c)(1 + 2c - phi c / sin phi) "
+                    "with c = cos phi, positive on [{}, {}] by subdivision, limit at 0: {} k; the end "
+                    "point reaches the base at phi = 2 pi / 3",
+                    proofs::to_exact(from), proofs::to_exact(to), proofs::text(at_zero))}});
 }
 
 }  // namespace

@@ -63,6 +63,12 @@ bool abbreviates(const std::string& shorter, const std::string& longer) {
   return shorter.substr(0, 2) == longer.substr(0, 2) && shorter.back() == longer.back();
 }
 
+/// "S012" as "S_012".
+std::vector<std::string> indexed(std::vector<std::string> names) {
+  for (std::string& name : names) name.insert(1, "_");
+  return names;
+}
+
 Judgement abbreviations(const Printed& printed, int) {
   const std::set<std::string> defined(printed.begin(), printed.end());
   std::set<std::string> used;
@@ -86,7 +92,7 @@ Judgement abbreviations(const Printed& printed, int) {
               : Verdict::refuted,
       right ? ""
             : fmt::format("(7) uses {}, which the text does not define; {} that it defines instead is meant",
-                          fmt::join(missing, " and "), fmt::join(idle, " and ")),
+                          fmt::join(indexed(missing), " and "), fmt::join(indexed(idle), " and ")),
       {{EvidenceKind::exact,
         fmt::format("names in (7), {}, against names that are defined after it", fmt::join(used, ", "))}},
       ""};
@@ -94,7 +100,8 @@ Judgement abbreviations(const Printed& printed, int) {
 
 /// The least favourable kind of equilibrium that a census of the U-chain holds.
 Judgement kind_of_point(const Printed& printed, const Premises& given, int) {
-  const proofs::Census& census = held(given, "fig-7-chain").at(Rational(1, 10));
+  const Rational d(1, 10);
+  const proofs::Census& census = held(given, "fig-7-chain").at(d);
   bool all_minima = true;
   for (const auto& one : census.equilibria) all_minima = all_minima && one.negative_directions == 0;
   const std::string found = all_minima ? "minimum" : "stationary point";
@@ -103,8 +110,8 @@ Judgement kind_of_point(const Printed& printed, const Premises& given, int) {
               ? ""
               : "so for a stable one; every equilibrium is a stationary point of the energy",
           {Evidence::by_theorem("Stability", "minima are stable, what has a negative direction is not"),
-           {EvidenceKind::interval, "certified census of the chain of Fig. 7 at 0.1 L: " + types(census) +
-                                        ", and (8) gives the force of each"}},
+           {EvidenceKind::interval, "certified census of the chain of Fig. 7 at " + in_lengths(d) + ": " +
+                                        types(census) + ", and (8) gives the force of each"}},
           ""};
 }
 
@@ -199,7 +206,8 @@ Judgement inverse_kinematics(const Printed& printed, int) {
 
 /// Whether stable (or unstable) equilibria are just the absolute extremum of E over phi.
 Judgement extremum(const Printed& printed, const Premises& given, bool stable) {
-  const proofs::Census& census = held(given, "fig-7-chain").at(Rational(1, 10));
+  const Rational d(1, 10);
+  const proofs::Census& census = held(given, "fig-7-chain").at(d);
   std::vector<const proofs::CertifiedEquilibrium*> some;
   for (const auto& one : census.equilibria) {
     if ((one.negative_directions == 0) == stable) some.push_back(&one);
@@ -213,18 +221,19 @@ Judgement extremum(const Printed& printed, const Premises& given, bool stable) {
   std::vector<std::string> energies;
   for (const auto* one : some) energies.push_back(certified_decimal(one->energy, 5));
   const std::string found = alike ? absolute : local;
-  return {printed.at(0) == found      ? Verdict::confirmed
-          : printed.at(0) == absolute ? Verdict::convention
-                                      : Verdict::refuted,
-          printed.at(0) == found
-              ? ""
-              : fmt::format("every {} of E over phi is meant; the absolute one alone would be one "
-                            "of {}",
-                            local, some.size()),
-          {{EvidenceKind::interval,
-            fmt::format("chain of Fig. 7 at 0.1 L, certified census: {} {} equilibria with E = {} k",
-                        some.size(), stable ? "stable" : "unstable", fmt::join(energies, " and "))}},
-          ""};
+  return {
+      printed.at(0) == found      ? Verdict::confirmed
+      : printed.at(0) == absolute ? Verdict::convention
+                                  : Verdict::refuted,
+      printed.at(0) == found
+          ? ""
+          : fmt::format("every {} of E over phi is meant; the absolute one alone would be one "
+                        "of {}",
+                        local, some.size()),
+      {{EvidenceKind::interval,
+        fmt::format("chain of Fig. 7 at {}, certified census: {} {} equilibria with E = {} k", in_lengths(d),
+                    some.size(), stable ? "stable" : "unstable", fmt::join(energies, " and "))}},
+      ""};
 }
 
 Judgement arg_min(const Printed& printed, const Premises& given, int) {

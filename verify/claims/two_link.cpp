@@ -6,6 +6,7 @@
 #include <Eigen/LU>
 #include <plumbline/straight/critical_force.hpp>
 
+#include "proofs/exact/decimal.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/judging/comparison.hpp"
 #include "verify/judging/matrix_formula.hpp"
@@ -62,9 +63,10 @@ Judgement critical_force(const Printed& printed, int) {
   const Rational nudge(1, 1000000);
   result.evidence.push_back(
       {EvidenceKind::exact,
-       fmt::format("recursion on L = (1,1), k = (0,1): {} critical force "
-                   "below 2 - 1e-6, {} below 2 + 1e-6",
-                   count_below(chain, Rational(F - nudge)), count_below(chain, Rational(F + nudge)))});
+       fmt::format(
+           "recursion on two equal links: {} critical force below the limit less {}, {} below it and that",
+           count_below(chain, Rational(F - nudge)), proofs::to_exact(nudge),
+           count_below(chain, Rational(F + nudge)))});
   if (count_below(chain, Rational(F - nudge)) != 0 || count_below(chain, Rational(F + nudge)) != 1) {
     throw Error("critical force of two links", "different results of limit and recursion", "agreement");
   }
@@ -75,6 +77,12 @@ Judgement critical_force(const Printed& printed, int) {
 /// Sign of dF/dq = 2k [sin(a+q) - q cos(a+q)] / (L sin(a+q)^2), up to the positive factor.
 Interval force_slope(const Interval& q, const Interval& alpha) {
   return sin(alpha + q) - q * cos(alpha + q);
+}
+
+/// The joint angles for which 0 < alpha + q < pi, but for a thousandth of it at either end.
+std::pair<Interval, Interval> open_range(const Interval& alpha) {
+  const Interval end = Interval::pi() * Interval(Rational(1, 1000));
+  return {end - alpha, Interval::pi() - end - alpha};
 }
 
 std::string direction(std::optional<int> sign) {
@@ -103,10 +111,9 @@ Judgement straight_curve(const Printed& printed, int) {
 
 Judgement curved_monotonic(const Printed& printed, const Premises& given, int) {
   const Interval alpha = given.value("fig-3-angle");
-  const auto sign = certain_sign([&](const Interval& q) { return force_slope(q, alpha); },
-                                 Interval(Rational(-52, 100)), Interval(Rational(26, 10)));
-  const auto deflects = certain_sign([&](const Interval& q) { return sin(alpha + q); },
-                                     Interval(Rational(-52, 100)), Interval(Rational(26, 10)));
+  const auto [from, to] = open_range(alpha);
+  const auto sign = certain_sign([&](const Interval& q) { return force_slope(q, alpha); }, from, to);
+  const auto deflects = certain_sign([&](const Interval& q) { return sin(alpha + q); }, from, to);
   const std::string found = sign == 1 && deflects == 1 ? "monotonic" : "not monotonic";
   return judge_word(
       printed.at(0), found, "dF/dq has the sign of sin(alpha+q) - q cos(alpha+q), which is positive",
@@ -115,7 +122,8 @@ Judgement curved_monotonic(const Printed& printed, const Premises& given, int) {
            "N(q) = sin(alpha+q) - q cos(alpha+q) has N' = q sin(alpha+q), so its least "
            "value on 0 < alpha + q < pi is N(0) = sin alpha > 0; dDelta/dq = 2L sin(alpha+q) > 0"),
        {EvidenceKind::interval,
-        "alpha = pi/6: N > 0 and sin(alpha+q) > 0 for q in [-0.52, 2.6] by subdivision"}});
+        fmt::format("alpha = {}: N and sin(alpha+q) for q in [{}, {}] by subdivision: {}",
+                    given.at("fig-3-angle").parts.at("value").front(), from.text(4), to.text(4), found)}});
 }
 
 /// The minima of V over -pi < alpha + q < pi at a force F, k = L = 1.
@@ -140,26 +148,28 @@ Judgement single_minimum(const Printed& printed, const Premises& given, int digi
     u = intersection(u, m - fold(m) / fold_slope(u)).value();
   }
   const Interval threshold = Interval(2) / cos(u);
-  const std::size_t below = number_of_minima(alpha, threshold * Interval(Rational(99, 100)));
-  const std::size_t above = number_of_minima(alpha, threshold * Interval(Rational(101, 100)));
+  const Rational less(99, 100), more(101, 100);
+  const std::size_t below = number_of_minima(alpha, threshold * Interval(less));
+  const std::size_t above = number_of_minima(alpha, threshold * Interval(more));
   const std::string limit = certified_decimal(threshold, 6);
   Judgement result;
   const std::string found = std::to_string(below),
                     always = below == above ? found : found + " up to the fold";
   result.verdict = printed.at(0) == always  ? Verdict::confirmed
-                   : printed.at(0) == found ? Verdict::imprecise
+                   : printed.at(0) == found ? Verdict::convention
                                             : Verdict::refuted;
   if (result.verdict != Verdict::confirmed)
     result.truth = fmt::format(
-        "one minimum as long as F < {} k/L (alpha = pi/6) and always one with 0 < alpha + q < pi; "
-        "above that force the mirrored shape is a second minimum, higher in energy",
+        "one minimum as long as F < 2k/(L cos u), tan u = alpha + u, which is {} k/L; above it the mirrored "
+        "shape "
+        "is a second minimum",
         limit);
   result.evidence = {
       {EvidenceKind::interval,
-       fmt::format("zeros of V' for -pi < alpha + q < pi isolated at 0.99 and 1.01 of that force: {} and "
-                   "{} minima; the force is 2k/(L cos u), tan u = alpha + u",
-                   below, above)}};
-  result.value = certified_decimal(threshold, digits) + " k/L at alpha = pi/6";
+       fmt::format(
+           "zeros of V' for -pi < alpha + q < pi isolated at {} and {} of that force: {} and {} minima",
+           proofs::to_exact(less), proofs::to_exact(more), below, above)}};
+  result.value = certified_decimal(threshold, digits) + " k/L";
   return result;
 }
 
@@ -262,7 +272,10 @@ Judgement pseudoinverse(const Printed& printed, int) {
   }
   const Matrix<Rational> square = G * J;
   return {penrose ? Verdict::confirmed : Verdict::refuted,
-          penrose ? "" : "(J^T)^+ = (J J^T)^-1 J: J^T J is 3 x 3 of rank 2 and has no inverse",
+          penrose
+              ? ""
+              : "J^T J is 3 x 3 and has the rank of J, 2 at most: it has no inverse; J J^T has one where the "
+                "shape is not straight",
           {{EvidenceKind::exact,
             fmt::format("J = (1 2 3; -1 4 2): J^T J is {} x {} of rank {}; {}", square.rows(), square.cols(),
                         Eigen::FullPivLU<Matrix<Rational>>(square).rank(),

@@ -72,12 +72,13 @@ double deflection(const BranchPoint<double>& p) {
   return p.load;
 }
 
-/// U or Z by the bends of joints 2 and 3, with the paper's sign; shapes that are pulled, not compressed, are
-/// named so.
+/// U or Z by the bends of joints 2 and 3, with the paper's sign: of U by the bends, of Z by the first angle;
+/// shapes that are pulled, not compressed, are named so.
 std::string letter(const BranchPoint<double>& p) {
   const std::vector<double> q = joint_angles(p.theta);
   const bool arch = (q[1] > 0) == (q[2] > 0);
-  return std::string(arch ? "U" : "Z") + (q[1] < 0 ? "^+" : "^-") +
+  const bool plus = arch ? q[1] < 0 : q[0] > 0;
+  return std::string(arch ? "U" : "Z") + (plus ? "^+" : "^-") +
          (p.load > 0 && p.force.x > 0 ? " pulled" : "");
 }
 

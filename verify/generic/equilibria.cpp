@@ -84,31 +84,42 @@ Printed shapes(const proofs::Census& census, std::size_t from) {
 
 Judgement generic::equilibria(const Parameters& with, const Printed& printed, const Premises& given, int) {
   with.known({"chain", "links", "deflection", "end", "compression", "asks", "from joint", "sign of q4"});
-  const HeldChain chain = held_chain(chain_with_links(with, given));
+  const Premise premise = chain_with_links(with, given);
+  const HeldChain chain = held_chain(premise);
   const auto [census, load] = loaded(with, given, chain);
   if (!census.complete()) with.wrong("undecided boxes", "a regular load");
   const std::string types = verify::types(census), asks = with.text("asks", "types");
   const std::vector<Evidence> evidence{
       {EvidenceKind::interval,
        fmt::format("certified census of the chain {}, {} boxes: {}", load, census.boxes, types)}};
-  if (asks == "types") return judge_counts(printed.at(0), types, "there are " + types, evidence);
+  const auto stated = [&](Judgement judgement, const std::string& has) {
+    judgement.statement = fmt::format("{}, {}, has {}", in_words(premise), load, has);
+    return judgement;
+  };
+  const auto there_are = [](const std::string& what) { return "there are " + what; };
+  if (asks == "types")
+    return stated(judge_counts(printed.at(0), types, there_are(types), evidence), types + " equilibria");
   if (asks == "kinds") {
     const std::string found = extrema(census, std::stoi(with.text("sign of q4", "0")));
-    return judge_counts(printed.at(0), found, "there are " + found, evidence);
+    return stated(judge_counts(printed.at(0), found, there_are(found), evidence), found);
   }
   const std::string count = std::to_string(census.equilibria.size());
-  if (asks == "count") return judge_word(printed.at(0), count, "there are " + count, evidence);
+  if (asks == "count")
+    return stated(judge_word(printed.at(0), count, there_are(count), evidence), count + " equilibria");
   if (asks == "more than") {
     const bool more = census.equilibria.size() > std::stoul(printed.at(0));
-    return {more ? Verdict::confirmed : Verdict::refuted, more ? "" : "there are " + count, evidence, ""};
+    return stated({more ? Verdict::confirmed : Verdict::refuted, more ? "" : there_are(count), evidence, ""},
+                  count + " equilibria");
   }
   if (asks == "symmetry") {
     const std::string found = symmetry(census);
-    return judge_word(printed.at(0), found, "they are carried into each other by: " + found, evidence);
+    return stated(judge_word(printed.at(0), found, "they are carried into each other by: " + found, evidence),
+                  fmt::format("{} equilibria, which are carried into each other by: {}", count, found));
   }
   if (asks == "shapes") {
     const Printed found = shapes(census, std::stoul(with.text("from joint", "1")) - 1);
-    return judge_rows(printed, found, 1, fmt::format("they are {}", fmt::join(found, ", ")), evidence);
+    const std::string list = fmt::format("{}", fmt::join(found, ", "));
+    return stated(judge_rows(printed, found, 1, "they are " + list, evidence), "the equilibria " + list);
   }
   with.wrong("asks = '" + asks + "'", "types, kinds, count, more than, symmetry or shapes");
 }

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <regex>
+#include <sstream>
 
 #include "verify/generic/generic.hpp"
 #include "verify/generic/symbolic_model.hpp"
@@ -21,16 +22,23 @@ GiNaC::symbol variable(const SymbolicModel& model, const std::string& name) {
   return GiNaC::ex_to<GiNaC::symbol>(model.formulas().symbol(name));
 }
 
-/// What is done with the model's formulas: `by` differentiates, by one name each or all by one; `at` inserts
-/// values, "alpha = 0"; `limit` names what goes to zero; `lowest` leaves the terms of lowest order in the
-/// names that it lists together; `to` those up to an order, "phi 2", and is done with the print too.
+/// What is done with the model's formulas: `by` differentiates, each by its own text or all by one, once by
+/// each name in it; `at` inserts values, "alpha = 0"; `limit` names what goes to zero; `lowest` leaves the
+/// terms of lowest order in the names that it lists together; `to` those up to an order, "phi 2", and is done
+/// with the print too.
 struct Steps {
   const Parameters& with;
   const SymbolicModel& model;
 
   [[nodiscard]] ex of_model(ex value, std::size_t place) const {
     const Printed by = with.list("by");
-    if (!by.empty()) value = value.diff(variable(model, by.at(by.size() == 1 ? 0 : place)));
+    if (!by.empty() && by.size() != 1 && by.size() != with.list("of").size())
+      with.wrong(fmt::format("{} texts as 'by'", by.size()),
+                 "one for all or one for each of `of`; \"q1 q2\" differentiates twice");
+    if (!by.empty()) {
+      std::istringstream names(by.at(by.size() == 1 ? 0 : place));
+      for (std::string name; names >> name;) value = value.diff(variable(model, name));
+    }
     value = inserted(value);
     if (with.has("limit")) value = proofs::limit_at_zero(value, model.formulas().symbol(with.text("limit")));
     if (with.has("lowest")) value = lowest(value);

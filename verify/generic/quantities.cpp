@@ -1,5 +1,8 @@
 #include "verify/generic/quantities.hpp"
 
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 
 #include "proofs/exact/decimal.hpp"
@@ -41,6 +44,24 @@ Premise chain_with_links(const Parameters& with, const Premises& given) {
   const auto length = chain.parts.find("length");
   const std::size_t stated = length == chain.parts.end() ? 0 : length->second.size();
   return with_links(chain, with.has("links") ? std::stoul(with.text("links")) : stated);
+}
+
+std::string with_index(std::string name) {
+  std::replace(name.begin(), name.end(), ' ', '_');
+  return name;
+}
+
+std::string in_words(const Premise& chain) {
+  const auto part = [&](const char* const name) {
+    const auto found = chain.parts.find(name);
+    return found == chain.parts.end() ? Printed{} : found->second;
+  };
+  const Printed rest = part("rest");
+  const bool straight =
+      std::all_of(rest.begin(), rest.end(), [](const std::string& one) { return one == "0"; });
+  return fmt::format("the {}chain with L = ({}) and k = ({}){}", straight ? "straight " : "",
+                     fmt::join(part("length"), ", "), fmt::join(part("stiffness"), ", "),
+                     straight ? "" : fmt::format(" and the rest angles ({})", fmt::join(rest, ", ")));
 }
 
 Chain<Rational> exact_chain(const Premise& chain) {

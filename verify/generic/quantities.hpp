@@ -18,6 +18,12 @@ Premise chain_with_links(const Parameters& with, const Premises& given);
 /// The same with a number of links.
 Premise with_links(const Premise& chain, std::size_t links);
 
+/// "theta 1" as "theta_1".
+std::string with_index(std::string name);
+
+/// "the chain with L = (1, 1), k = (0, 1) and the rest angles (pi/6, 0)".
+std::string in_words(const Premise& chain);
+
 /// The chain of a premise that is none of a claim's.
 Chain<Rational> exact_chain(const Premise& chain);
 HeldChain held_chain(const Premise& chain);

@@ -43,7 +43,8 @@ bool of_vector(const std::string& name) {
 
 Judgement generic::modes(const Parameters& with, const Printed& printed, const Premises& given, int digits) {
   with.known({"chain", "links", "of", "sign"});
-  const auto& all = certified_modes(exact_chain(chain_with_links(with, given)));
+  const Premise chain = chain_with_links(with, given);
+  const auto& all = certified_modes(exact_chain(chain));
   const Printed of = with.list("of");
   // an eigenvector has either sign: that of its first component that is printed
   bool turned = false;
@@ -63,6 +64,9 @@ Judgement generic::modes(const Parameters& with, const Printed& printed, const P
       "counts of critical forces by exact recursion bound each F to 60 digits; the rest of the "
       "mode from it in intervals");
   result.value = fmt::format("{}", fmt::join(values, "; "));
+  for (std::size_t i = 0; i < of.size() && result.verdict == Verdict::confirmed; ++i)
+    result.statement +=
+        fmt::format("{} {} = {}", i == 0 ? in_words(chain) + " has" : ",", with_index(of[i]), printed[i]);
   return result;
 }
 

@@ -34,33 +34,57 @@ Judgement generic::value(const Parameters& with, const Printed& printed, const P
       printed, computed, of,
       fmt::format("{} in intervals, at {}", fmt::join(of, ", "), fmt::join(with.list("at"), ", ")));
   result.value = shown;
+  for (std::size_t i = 0; i < of.size() && result.verdict == Verdict::confirmed; ++i)
+    result.statement += fmt::format("{}{} is {}", i == 0 ? "" : ", ", of[i], printed[i]);
   return result;
 }
+
+namespace {
+
+/// "positive" or "increasing" and the like. \throws Error where the sign is undecided
+std::string word_of(const Parameters& with, SignOnRange sign) {
+  const bool slope = with.has("by");
+  switch (sign) {
+    case SignOnRange::positive:
+      return slope ? "increasing" : "positive";
+    case SignOnRange::negative:
+      return slope ? "decreasing" : "negative";
+    case SignOnRange::both:
+      return slope ? "not monotonic" : "both signs";
+    case SignOnRange::undecided:
+      break;
+  }
+  with.wrong("a sign that subdivision does not decide", "a function that keeps off zero on the range");
+}
+
+}  // namespace
 
 Judgement generic::sign(const Parameters& with, const Printed& printed, const Premises& given, int) {
   with.known({"chain", "of", "symbols", "shape", "by", "range"});
   const SymbolicModel model(given.at(with.text("chain")), with.list("symbols"), with.list("shape"));
   const Printed range = with.list("range");
   if (range.size() != 3) with.wrong("range", "a name, from and to");
+  const auto symbol = [&](const std::string& name) {
+    return GiNaC::ex_to<GiNaC::symbol>(model.formulas().symbol(name));
+  };
   GiNaC::ex formula = model.value(with.text("of"));
-  if (with.has("by"))
-    formula = formula.diff(GiNaC::ex_to<GiNaC::symbol>(model.formulas().symbol(with.text("by"))));
-  const auto sign = certain_sign(
-      [&](const Interval& at) {
-        return value_of(formula, {{range[0], at}});
-      },
-      number(range[1]), number(range[2]));
-  const std::string what = with.has("by") ? (!sign       ? "not monotonic"
-                                             : *sign > 0 ? "increasing"
-                                                         : "decreasing")
-                                          : (!sign       ? "both signs"
-                                             : *sign > 0 ? "positive"
-                                                         : "negative");
-  return judge_word(
+  if (with.has("by")) formula = formula.diff(symbol(with.text("by")));
+  const GiNaC::ex slope = formula.diff(symbol(range[0]));
+  const auto value = [&](const GiNaC::ex& e, const Interval& at) { return value_of(e, {{range[0], at}}); };
+  // by the mean value too: near a zero the slope decides where values on a whole piece do not
+  const auto enclosed = [&](const Interval& at) {
+    const Interval middle(at.middle(), at.middle()), whole = value(formula, at);
+    return intersection(whole, value(formula, middle) + value(slope, at) * (at - middle)).value_or(whole);
+  };
+  const std::string what = word_of(with, sign_on(enclosed, number(range[1]), number(range[2])));
+  Judgement result = judge_word(
       printed.at(0), what, fmt::format("{} is {}", with.text("of"), what),
       {{EvidenceKind::interval,
         fmt::format("{}{} for {} from {} to {} by subdivision: {}", with.has("by") ? "derivative of " : "",
                     with.text("of"), range[0], range[1], range[2], what)}});
+  result.statement =
+      fmt::format("{} is {} for {} from {} to {}", with.text("of"), what, range[0], range[1], range[2]);
+  return result;
 }
 
 }  // namespace plumbline::verify

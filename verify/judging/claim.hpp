@@ -51,6 +51,8 @@ struct Judgement {
   std::vector<Evidence> evidence;  ///< strongest first
   std::string value;               ///< the number that the claim is about, where there is one; else empty
   Printed favoured = {};  ///< the print in the favourable reading that was judged; empty where literal
+  std::string statement =
+      {};  ///< what is so, right print or wrong, in a sentence; empty where a check has none
 };
 
 /// Computes first, from what is given, then compares with what is printed; the same check judges any altered

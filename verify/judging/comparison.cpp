@@ -10,6 +10,8 @@
 
 #include "proofs/exact/decimal.hpp"
 #include "proofs/exact/exactly.hpp"
+#include "verify/judging/formula_value.hpp"
+#include "verify/judging/notation.hpp"
 
 namespace plumbline::verify {
 namespace {
@@ -52,18 +54,74 @@ Verdict worst(Verdict a, Verdict b) {
 
 namespace {
 
-/// Printed against computed, entry by entry; the truth of each that is not `alike`.
-template <class Alike>
+void collect_symbols(const GiNaC::ex& e, std::set<std::string>& names) {
+  if (GiNaC::is_a<GiNaC::symbol>(e)) names.insert(GiNaC::ex_to<GiNaC::symbol>(e).get_name());
+  for (std::size_t i = 0; i < e.nops(); ++i) collect_symbols(e.op(i), names);
+}
+
+/// Values of two expressions at some points, where both have one.
+std::vector<std::pair<Interval, Interval>> at_points(const GiNaC::ex& a, const GiNaC::ex& b) {
+  std::set<std::string> names;
+  collect_symbols(a, names);
+  collect_symbols(b, names);
+  std::vector<std::pair<Interval, Interval>> pairs;
+  constexpr int points = 6;
+  for (int point = 1; point <= points; ++point) {
+    Values values;
+    int place = 0;
+    for (const std::string& name : names) {
+      ++place;
+      values[name] = Interval(Rational(7 * place + 5 * point, 31 + 2 * place));
+    }
+    try {
+      pairs.emplace_back(value_of(a, values), value_of(b, values));
+    } catch (const Error&) {  // no value there
+    }
+  }
+  return pairs;
+}
+
+/// Whether two expressions are certainly no equal ones: their values differ at a point.
+bool certainly_different(const GiNaC::ex& a, const GiNaC::ex& b) {
+  const auto pairs = at_points(a, b);
+  return std::any_of(pairs.begin(), pairs.end(), [](const auto& pair) {
+    return certainly_less(pair.first, pair.second) || certainly_less(pair.second, pair.first);
+  });
+}
+
+/// Whether two expressions certainly have no constant ratio other than zero: it differs between two points,
+/// or one of them is zero where the other is not.
+bool certainly_disproportional(const GiNaC::ex& a, const GiNaC::ex& b) {
+  const auto pairs = at_points(a, b);
+  const auto nonzero = [](const Interval& x) { return certainly_positive(x) || certainly_negative(x); };
+  for (const auto& [x, y] : pairs) {
+    for (const auto& [u, v] : pairs)
+      if (nonzero(x * v - u * y)) return true;
+  }
+  const bool a_zero = a.is_zero(), b_zero = b.is_zero();
+  return a_zero != b_zero && std::any_of(pairs.begin(), pairs.end(), [&](const auto& pair) {
+           return nonzero(a_zero ? pair.second : pair.first);
+         });
+}
+
+/// Printed against computed, entry by entry; the truth of each that is certainly not `alike`.
+/// \throws Error where neither is decided
+template <class Alike, class Unlike>
 Judgement judge_entries(const proofs::Formulas& formulas, const Printed& printed,
                         const std::vector<GiNaC::ex>& computed, const std::vector<std::string>& names,
-                        const std::string& how, const Alike& alike) {
+                        const std::string& how, const Alike& alike, const Unlike& unlike) {
   require_count(printed.size(), computed.size());
   Judgement result{Verdict::confirmed, "", {{EvidenceKind::symbolic, how}}, ""};
   std::vector<std::string> truths;
   for (std::size_t i = 0; i < printed.size(); ++i) {
-    if (alike(formulas.parse(printed[i]), computed[i])) continue;
+    const GiNaC::ex stated = formulas.parse(printed[i]);
+    if (alike(stated, computed[i])) continue;
+    if (!unlike(stated, computed[i]))
+      throw Error("claim", "'" + printed[i] + "', of which " + names[i] + " is neither proved nor told apart",
+                  "a formula that algebra or a value decides");
     result.verdict = Verdict::refuted;
-    truths.push_back(fmt::format("{} = {}, not {}", names[i], proofs::text(computed[i]), printed[i]));
+    truths.push_back(fmt::format("{} = {}, not {}", names[i], formula_in_print(proofs::text(computed[i])),
+                                 formula_in_print(printed[i])));
   }
   result.truth = fmt::format("{}", fmt::join(truths, "; "));
   return result;
@@ -74,13 +132,14 @@ Judgement judge_entries(const proofs::Formulas& formulas, const Printed& printed
 Judgement judge_formulas(const proofs::Formulas& formulas, const Printed& printed,
                          const std::vector<GiNaC::ex>& computed, const std::vector<std::string>& names,
                          const std::string& how) {
-  return judge_entries(formulas, printed, computed, names, how, proofs::identical);
+  return judge_entries(formulas, printed, computed, names, how, proofs::identical, certainly_different);
 }
 
 Judgement judge_equations(const proofs::Formulas& formulas, const Printed& printed,
                           const std::vector<GiNaC::ex>& computed, const std::vector<std::string>& names,
                           const std::string& how) {
-  return judge_entries(formulas, printed, computed, names, how, proofs::proportional);
+  return judge_entries(formulas, printed, computed, names, how, proofs::proportional,
+                       certainly_disproportional);
 }
 
 Judgement judge_word(const std::string& printed, const std::string& computed, const std::string& truth,

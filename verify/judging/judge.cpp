@@ -16,6 +16,7 @@ namespace {
 /// The sentences of a judgement in the notation of print.
 Judgement set(Judgement judgement) {
   judgement.truth = in_notation(judgement.truth);
+  judgement.statement = in_notation(judgement.statement);
   for (Evidence& one : judgement.evidence) one.detail = in_notation(one.detail);
   return judgement;
 }
@@ -28,8 +29,11 @@ std::vector<Judged> judge(const std::vector<Claim>& claims, int digits,
   for (const Claim& claim : claims) {
     try {
       result.push_back({claim, set(judge_print(claim, claim.printed, digits)), ""});
-    } catch (const std::exception& error) {
+    } catch (const Error& error) {
       result.push_back({claim, std::nullopt, error.what()});
+    } catch (const std::exception&) {  // whose words are those of a library
+      result.push_back(
+          {claim, std::nullopt, "the check cannot be carried out with this print and these premises"});
     }
     advance();
   }

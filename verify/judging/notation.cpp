@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <map>
 #include <regex>
 #include <string_view>
@@ -113,10 +114,12 @@ std::string in_notation(const std::string& text) {
 
 std::string formula_in_print(const std::string& formula) {
   static const std::vector<std::pair<std::regex, std::string>> rules{
+      {std::regex("\\binv\\(([^()]*)\\)"), "($1)^-1"},
+      {std::regex("\\|lambda\\|"), "|lambda_i|"},
       {std::regex("\\b([A-Za-z])([xy])\\b"), "$1_$2"},                           // Fx
       {std::regex("\\b(sin|cos|tan)\\(([0-9]*)\\*?([A-Za-z]+)\\)"), "$1 $2$3"},  // of a simple angle
       {std::regex("\\*(sin|cos|tan)"), " $1"},
-      {std::regex("([^(/*\\s])([-+])"), "$1 $2 "},
+      {std::regex("([^(/*\\s^])([-+])"), "$1 $2 "},
       {std::regex("\\*"), ""},
   };
   std::string text = formula;
@@ -135,6 +138,28 @@ std::string formula_in_print(const std::string& formula) {
       set.replace(at, letter.size(), sign);
   }
   return set;
+}
+
+std::string set_in_sentence(const std::string& entry, const std::vector<std::string>& words) {
+  static const std::regex numbers("[-0-9.]+|\\([0-9]+\\)"), counts("[0-9]+ [a-z]+(, [0-9]+ [a-z]+)*"),
+      comma(", ");
+  if (std::find(words.begin(), words.end(), entry) != words.end()) return entry;
+  if (std::regex_match(entry, numbers)) return entry;
+  if (std::regex_match(entry, counts)) return std::regex_replace(entry, comma, " and ");
+  return "`" + formula_in_print(entry) + "`";
+}
+
+std::string with_marks(const std::string& text) {
+  static const std::regex indexed("[^\\s`(),;:“”]*[_^][^\\s`,;:“”]*");
+  return std::regex_replace(text, indexed, "`$&`");
+}
+
+std::string as_sentence(const std::string& found) {
+  static const std::regex word("[a-z]+[ ,][^]*");
+  std::string text = with_marks(found);
+  if (std::regex_match(text, word))
+    text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text.ends_with('.') ? text : text + ".";
 }
 
 }  // namespace plumbline::verify

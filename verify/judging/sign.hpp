@@ -28,6 +28,36 @@ std::optional<int> certain_sign(const Function& f, const Interval& low, const In
   return left;
 }
 
+/// What is certain of a function's sign on a range.
+enum class SignOnRange { positive, negative, both, undecided };
+
+/// Certain enclosures of f on pieces of [low, high] and at their middles: both signs where each is certain
+/// somewhere, undecided where a piece of width (high - low) / 2^depth has no certain one.
+template <class Function>
+SignOnRange sign_on(const Function& f, const Interval& low, const Interval& high, int depth = 14) {
+  bool positive = false, negative = false, open = false;
+  const auto look = [&](const Interval& value) {
+    positive = positive || certainly_positive(value);
+    negative = negative || certainly_negative(value);
+    return !certainly_positive(value) && !certainly_negative(value);
+  };
+  const auto visit = [&](const auto& self, const Interval& from, const Interval& to, int left) -> void {
+    if ((positive && negative) || !look(f(hull(from, to)))) return;
+    const Interval middle = (from + to) / Interval(2);
+    look(f(middle));
+    if (left == 0) {
+      open = true;
+      return;
+    }
+    self(self, from, middle, left - 1);
+    self(self, middle, to, left - 1);
+  };
+  visit(visit, low, high, depth);
+  if (positive && negative) return SignOnRange::both;
+  if (open) return SignOnRange::undecided;
+  return positive ? SignOnRange::positive : SignOnRange::negative;
+}
+
 /// Pieces of [low, high] that hold exactly one zero of f each, in ascending order; certainly there is none
 /// elsewhere. A piece counts where f changes sign and its derivative df has one sign.
 /// \throws Error where the

@@ -1,14 +1,13 @@
 #pragma once
 /// \file
-/// An erratum as errata.toml states it.
+/// An erratum as errata.toml states it: ids, prints, and words of the paper.
 ///
-/// A correction has the id of a `claim`, the `print` that its check has to confirm, the paper's words `for`
-/// which to `read` others. Where these are left out, the whole quote is meant, and what to read is made of
-/// the paper's words: an entry of the print that becomes another is replaced by its `words`. In `read` {1}
-/// stands for the first entry, set as a formula or in its words; every entry that becomes another has to
-/// occur.
+/// A correction has the id of a `claim`, the `print` that its check has to confirm, and `for`, the paper's
+/// words of each entry that becomes another: a list, or one text. The entry, a formula set as one, takes
+/// their place in `within`, a piece of the quote; without it in the words themselves. With `as`, "list",
+/// "column" or "2 rows", the whole print takes the place of one text.
 ///
-/// A sentence of the `reason` is a list: its text, and the ids of what holds it.
+/// `reason`, `stands` and `changes` are lists of ids.
 
 #include "support/files/toml_file.hpp"
 #include "verify/paper/paper.hpp"

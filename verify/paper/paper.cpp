@@ -44,7 +44,8 @@ Claim read_claim(const toml::table& one, const std::string& where, const std::st
   claim.where = where;
   claim.also = texts(one, "also", source);
   claim.quote = text(one, "quote", source, "");
-  claim.reading = in_notation(text(one, "reading", source));
+  claim.reading = in_notation(
+      text(one, "reading", source, claim.quote.empty() ? std::optional<std::string>("") : std::nullopt));
   claim.charitable = choice(one, "charity", {"literal", "charitable"}, source) == 1;
   claim.printed = texts(one, "printed", source);
   claim.words = texts(one, "words", source);
@@ -116,7 +117,7 @@ class FolderReader {
     const toml::table file = parse_if_there(source);
     files::refuse_unknown_keys(file, {"fact", "erratum"}, source);
     each(file, "fact", source, [&](const toml::table& one) {
-      files::refuse_unknown_keys(one, {"id", "reading", "printed", "given", "words", "check"}, source);
+      files::refuse_unknown_keys(one, {"id", "printed", "given", "words", "check"}, source);
       add(paper_.facts, read_claim(one, "behind the errata", source), one, source);
     });
     each(file, "erratum", source,

@@ -29,29 +29,17 @@ struct PaperSection {
 struct Correction {
   std::string claim;          ///< its id
   Printed print;              ///< what the claim would print then: its own check has to confirm it
-  std::string printed, read;  ///< the paper's words, and those to read for them, made of `print`
+  std::string printed, read;  ///< the paper's words, and the same with the entries of `print` in their place
 };
 
-/// A sentence, and the ids of the claims and facts that hold it: it is printed where all of them are
-/// confirmed.
-struct Sentence {
-  std::string text;
-  std::vector<std::string> held_by;
-};
-
-/// Something that does or does not depend on an erratum: an id and what a reader calls it.
-struct Named {
-  std::string id, name;
-};
-
-/// What several claims have wrong together, to be corrected once.
+/// What several claims have wrong together, to be corrected once: made of ids, without a word of its own.
 struct Erratum {
-  std::string id, title;
+  std::string id;
   std::vector<Correction> corrections;
-  std::vector<Sentence> reason;
-  std::vector<Named> stands;   ///< claims that hold all the same
-  std::vector<Named> changes;  ///< printed results that do not
-  bool remark = false;         ///< worth no correction of its own
+  std::vector<std::string> reason;   ///< claims that are wrong, for what is true instead, and facts
+  std::vector<std::string> stands;   ///< claims that hold all the same
+  std::vector<std::string> changes;  ///< printed results that do not
+  bool remark = false;               ///< worth no correction of its own
 };
 
 struct Paper {

@@ -7,7 +7,7 @@
 #include <plumbline/base/error.hpp>
 #include <regex>
 
-#include "proofs/exact/decimal.hpp"
+#include "verify/judging/notation.hpp"
 
 namespace plumbline::verify {
 namespace {
@@ -46,39 +46,34 @@ class Verdicts {
   std::map<std::string, Judged> known_;
 };
 
-/// Whether a decimal is that with which an entry begins, signs aside, rounded to its places.
-bool is_rounded(const std::string& decimal, const std::string& entry) {
-  const std::string bare =
-      entry.substr(entry.find_first_not_of('-') == std::string::npos ? 0 : entry.find_first_not_of('-'));
-  const auto value = proofs::parse_decimal(bare.substr(0, bare.find_first_not_of("0123456789.")));
-  return value &&
-         proofs::to_fixed(*value, static_cast<int>(decimal.size() - decimal.find('.') - 1)) == decimal;
+/// A passage of the paper: an equation or a table by its number, a sentence by its words.
+std::string passage(const Claim& claim) {
+  static const std::regex numbered("[^,]+, (\\([0-9]+\\)( to \\([0-9]+\\))?|Table [0-9]+)");
+  if (std::regex_match(claim.where, numbered)) return claim.where;
+  return fmt::format("“{}” ({})", claim.quote, claim.where);
 }
 
-/// What an erratum says, held against the verdicts.
+/// What an erratum names, held against the verdicts.
 class Examination {
  public:
-  Examination(const Erratum& said, Verdicts& verdicts) : said_(said), verdicts_(verdicts) {
-    holds_ = {said.id, said.title, {}, {}, {}, {}, said.remark};
+  Examination(const Erratum& said, Verdicts& verdicts, JudgedErratum& holds)
+      : said_(said), verdicts_(verdicts), holds_(holds) {
     for (const Correction& one : said.corrections) examine(one);
-    for (const Sentence& one : said.reason) examine(one);
-    for (const Named& one : said.stands)
-      keep(one, verdicts_.confirmed(one.id), "said to stand, not confirmed", holds_.stands);
-    for (const Named& one : said.changes)
-      keep(one, !verdicts_.confirmed(one.id), "said to change, confirmed", holds_.changes);
+    for (const std::string& id : said.reason) examine_reason(id);
+    for (const std::string& id : said.stands)
+      keep(id, verdicts_.confirmed(id), "said to stand, not confirmed", holds_.stands);
+    for (const std::string& id : said.changes)
+      keep(id, !verdicts_.confirmed(id), "said to change, confirmed", holds_.changes);
   }
 
-  [[nodiscard]] const Erratum& holds() const { return holds_; }
-  [[nodiscard]] const std::vector<std::string>& problems() const { return problems_; }
-
  private:
-  void problem(const std::string& what) { problems_.push_back(said_.id + ": " + what); }
+  void problem(const std::string& what) { holds_.problems.push_back(said_.id + ": " + what); }
 
-  void keep(const Named& one, bool right, const std::string& wrong, std::vector<Named>& list) {
+  void keep(const std::string& id, bool right, const std::string& wrong, std::vector<std::string>& list) {
     if (right)
-      list.push_back(one);
+      list.push_back(passage(verdicts_.of(id).claim));
     else
-      problem(fmt::format("{} is {}", one.id, wrong));
+      problem(fmt::format("{} is {}", id, wrong));
   }
 
   void examine(const Correction& one) {
@@ -92,54 +87,22 @@ class Examination {
       holds_.corrections.push_back(one);
   }
 
-  /// The numbers that hold a sentence: prints and values of confirmed claims and facts, and prints of
-  /// corrections; nothing where one of them fails.
-  std::optional<std::vector<Printed>> prints_behind(const Sentence& sentence) {
-    std::vector<Printed> prints;
-    for (const std::string& id : sentence.held_by) {
-      if (verdicts_.confirmed(id)) {
-        const Judged& one = verdicts_.of(id);
-        prints.push_back(one.claim.printed);
-        prints.push_back({one.judgement->value});
-        for (const Premise& premise : one.claim.given.list())
-          for (const auto& [part, numbers] : premise.parts) prints.push_back(numbers);
-        continue;
-      }
-      const auto corrected = std::find_if(holds_.corrections.begin(), holds_.corrections.end(),
-                                          [&](const Correction& one) { return one.claim == id; });
-      if (corrected == holds_.corrections.end()) return std::nullopt;
-      prints.push_back(corrected->print);
-      prints.push_back({verdicts_.of(id).judgement->value});
-    }
-    return prints;
-  }
-
-  void examine(const Sentence& sentence) {
-    const auto prints = prints_behind(sentence);
-    if (!prints) {
-      problem(fmt::format("“{}” is not held by {}", sentence.text, fmt::join(sentence.held_by, ", ")));
-      return;
-    }
-    static const std::regex numbers(R"(\d+\.\d+)");
-    for (std::sregex_iterator one(sentence.text.begin(), sentence.text.end(), numbers), end; one != end;
-         ++one) {
-      const std::string number = one->str();
-      const bool printed = std::any_of(prints->begin(), prints->end(), [&](const Printed& print) {
-        return std::any_of(print.begin(), print.end(),
-                           [&](const std::string& entry) { return is_rounded(number, entry); });
-      });
-      if (printed) continue;
-      problem(fmt::format("the number {} of “{}” is no print of {}", number, sentence.text,
-                          fmt::join(sentence.held_by, ", ")));
-      return;
-    }
-    holds_.reason.push_back(sentence);
+  void examine_reason(const std::string& id) {
+    const std::optional<Judgement>& found = verdicts_.of(id).judgement;
+    const bool confirmed = verdicts_.confirmed(id);
+    const std::string sentence = !found ? "" : confirmed ? found->statement : found->truth;
+    const bool fact = verdicts_.of(id).claim.quote.empty();
+    if (sentence.empty())
+      problem(fmt::format("the reason {} says nothing", id));
+    else if (fact && !confirmed)
+      problem(fmt::format("the fact {} is {}", id, name(found->verdict)));
+    else
+      holds_.reason.push_back(as_sentence(sentence));
   }
 
   const Erratum& said_;
   Verdicts& verdicts_;
-  Erratum holds_;
-  std::vector<std::string> problems_;
+  JudgedErratum& holds_;
 };
 
 Severity severity_of(const Erratum& erratum, const std::vector<Judged>& claims) {
@@ -171,9 +134,10 @@ Errata errata(const Paper& paper, const std::vector<Judged>& judged) {
       if (one.claim.cause == erratum.id && is_wrong(one)) claims.push_back(one);
     }
     if (claims.empty()) continue;
-    const Examination examination(erratum, verdicts);
-    list.items.push_back(
-        {examination.holds(), severity_of(examination.holds(), claims), claims, examination.problems()});
+    const Severity severity = severity_of(erratum, claims);
+    JudgedErratum& item = list.items.emplace_back(
+        JudgedErratum{erratum.id, erratum.remark, severity, claims, {}, {}, {}, {}, {}});
+    const Examination examination(erratum, verdicts, item);
   }
   for (const Judged& one : judged) {
     const bool known = std::any_of(paper.errata.begin(), paper.errata.end(),
@@ -181,17 +145,22 @@ Errata errata(const Paper& paper, const std::vector<Judged>& judged) {
     if (is_wrong(one) && !known) list.open.push_back(one);
   }
   std::stable_sort(list.items.begin(), list.items.end(), [](const JudgedErratum& a, const JudgedErratum& b) {
-    return std::pair(a.erratum.remark, a.severity) < std::pair(b.erratum.remark, b.severity);
+    return std::pair(a.remark, a.severity) < std::pair(b.remark, b.severity);
   });
   return list;
+}
+
+std::string place_of(const Claim& claim) {
+  return claim.also.empty() ? claim.where
+                            : fmt::format("{}; also {}", claim.where, fmt::join(claim.also, "; "));
 }
 
 std::string count_of(const Errata& errata) {
   const auto number = [&](auto&& is) { return std::count_if(errata.items.begin(), errata.items.end(), is); };
   const auto of = [&](Severity severity) {
-    return number([&](const JudgedErratum& e) { return !e.erratum.remark && e.severity == severity; });
+    return number([&](const JudgedErratum& e) { return !e.remark && e.severity == severity; });
   };
-  const auto remarks = number([](const JudgedErratum& e) { return e.erratum.remark; });
+  const auto remarks = number([](const JudgedErratum& e) { return e.remark; });
   std::string parts;
   for (const auto& [severity, what] : {std::pair{Severity::result, "of a result"},
                                        {Severity::formula, "of a formula or number"},

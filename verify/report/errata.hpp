@@ -1,8 +1,7 @@
 #pragma once
 /// \file
-/// The errata of a paper, each held by checks: what errata.toml says, less what is not so.
+/// The errata of a paper: what errata.toml names, in the words of the paper and of the checks.
 
-#include <map>
 #include <string>
 #include <vector>
 
@@ -11,11 +10,17 @@
 
 namespace plumbline::verify {
 
+/// An erratum as far as it holds: nothing else is to be printed.
 struct JudgedErratum {
-  Erratum erratum;                    ///< what of it holds: nothing else is to be printed
-  Severity severity;                  ///< by what it changes
-  std::vector<Judged> claims;         ///< not confirmed for this reason, in the order of the paper
-  std::vector<std::string> problems;  ///< what it says and nothing holds, with the reason
+  std::string id;
+  bool remark = false;
+  Severity severity;                    ///< by what it changes
+  std::vector<Judged> claims;           ///< not confirmed for this reason, in the order of the paper
+  std::vector<Correction> corrections;  ///< confirmed by their claims' own checks
+  std::vector<std::string> reason;      ///< sentences that checks made of what they found
+  std::vector<std::string> stands;      ///< passages that are confirmed all the same, as the paper has them
+  std::vector<std::string> changes;     ///< passages that are not
+  std::vector<std::string> problems;    ///< what it says and nothing holds, with the reason
 };
 
 struct Errata {
@@ -27,14 +32,20 @@ struct Errata {
 };
 
 /// The errata that have a claim among those judged. A correction has to be confirmed by its claim's own
-/// check; a sentence is held by the claims and facts that it names, which are judged here where they were not
-/// yet, and each number with a point in it by one of their prints; what is said to stand has to be confirmed,
-/// what is said to change not. \param paper  with its checks
+/// check. A reason is what a check found: of a claim that is not confirmed the truth, of a confirmed fact its
+/// statement. Passages that are said to stand have to be confirmed, those said to change not.
+/// \param paper  with its checks
 Errata errata(const Paper& paper, const std::vector<Judged>& judged);
+
+/// "4.2, after (34); also Nomenclature".
+std::string place_of(const Claim& claim);
 
 /// "14 errata: 6 of a formula or number, 8 of a statement; 5 remarks; 20 more claims fix a convention or lack
 /// a condition".
 std::string count_of(const Errata& errata);
+
+/// What is confirmed in all that was judged about it: equations, tables and figures, by name.
+std::string confirmed_by_name(const std::vector<Judged>& judged);
 
 /// The errata as a document to send, in Markdown and in LaTeX.
 std::string errata_as_markdown(const Paper& paper, const std::vector<Judged>& judged);

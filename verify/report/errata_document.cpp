@@ -9,6 +9,8 @@
 #include <set>
 #include <sstream>
 
+#include "verify/judging/characters.hpp"
+#include "verify/judging/notation.hpp"
 #include "verify/report/errata.hpp"
 #include "verify/report/markup.hpp"
 
@@ -22,22 +24,16 @@ struct Markup {
   const char *begin, *end;
 };
 
-const Markup in_markdown{as_markdown, "# {}\n\n", "## {}\n\n", "**{}. {}** ", "{}\n\n", "*{}*", "", ""};
+const Markup in_markdown{as_markdown, "# {}\n\n", "## {}\n\n", "**{}.** ", "{}\n\n", "*{}*", "", ""};
 const Markup in_latex{as_latex,
                       "\\section*{{{}}}\n",
                       "\\subsection*{{{}}}\n",
-                      "\\paragraph{{{}. {}}} ",
+                      "\\paragraph{{{}.}} ",
                       "{}\n\n",
                       "\\emph{{{}}}",
                       "\\documentclass[a4paper]{article}\n\\usepackage[margin=25mm]{geometry}\n"
                       "\\usepackage{amsmath}\n\\frenchspacing\\emergencystretch=3em\n\\begin{document}\n",
                       "\\end{document}\n"};
-
-/// "a, b and c".
-std::string enumerated(const std::vector<std::string>& names) {
-  if (names.size() < 2) return fmt::format("{}", fmt::join(names, ""));
-  return fmt::format("{} and {}", fmt::join(names.begin(), names.end() - 1, ", "), names.back());
-}
 
 /// "(1) to (3), (5)" of numbers.
 std::string ranges(const std::set<int>& numbers, const std::string& form) {
@@ -75,7 +71,8 @@ struct Numbered {
   const char* form;
 };
 
-/// What is confirmed in all that was judged about it: equations, tables and figures, by name.
+}  // namespace
+
 std::string confirmed_by_name(const std::vector<Judged>& judged) {
   static const std::vector<Numbered> kinds{
       {"Equations", std::regex(R"((?:^|[ ,])\((\d+)\)(?: to \((\d+)\))?)"), "({})"},
@@ -100,34 +97,43 @@ std::string confirmed_by_name(const std::vector<Judged>& judged) {
   return fmt::format("{}.", fmt::join(parts, ". "));
 }
 
-std::string correction_text(const Correction& one, const Markup& m) {
-  return fmt::format("{} {} {} {}.", fmt::format(fmt::runtime(m.emphasis), "For"),
-                     m.text("“" + one.printed + "”"), fmt::format(fmt::runtime(m.emphasis), "read"),
-                     m.text("“" + one.read + "”"));
+namespace {
+
+/// "Section 5, after (12)", where the section is a number.
+std::string in_section(const std::string& place) {
+  const bool number = !place.empty() && is_digit(place.front());
+  return (number ? "Section " : "") + place;
 }
 
-std::string names_of(const std::vector<Named>& list) {
-  std::vector<std::string> names;
-  for (const Named& one : list) names.push_back(one.name);
-  return enumerated(names);
-}
-
-std::string item(const JudgedErratum& judged, const std::string& number, const Markup& m) {
-  const Erratum& one = judged.erratum;
-  std::string text = fmt::format(fmt::runtime(m.item), number, m.text(one.title));
+/// The claims of an item: each correction at its place, or the words that a remark is about.
+std::vector<std::string> passages(const JudgedErratum& one, const Paper& paper, const Markup& m) {
   std::vector<std::string> parts;
-  for (const Correction& each : one.corrections) {  // what two places print alike is said once
-    const std::string correction = correction_text(each, m);
-    if (std::find(parts.begin(), parts.end(), correction) == parts.end()) parts.push_back(correction);
+  for (const Correction& each : one.corrections)
+    parts.push_back(
+        fmt::format("{}: {} {} {} {}.", m.text(with_marks(in_section(place_of(paper.claim(each.claim))))),
+                    fmt::format(fmt::runtime(m.emphasis), "for"), m.text("“" + each.printed + "”"),
+                    fmt::format(fmt::runtime(m.emphasis), "read"), m.text("“" + each.read + "”")));
+  if (!one.corrections.empty()) return parts;
+  for (const Judged& each : one.claims) {
+    const std::string words =
+        m.text(with_marks(in_section(place_of(each.claim)) + ": “" + each.claim.quote + "”."));
+    if (std::find(parts.begin(), parts.end(), words) == parts.end()) parts.push_back(words);
   }
-  for (const Sentence& each : one.reason) parts.push_back(m.text(each.text));
-  const auto effect = [&](const std::string& what, const std::vector<Named>& on) {
+  return parts;
+}
+
+std::string item(const JudgedErratum& one, const Paper& paper, const std::string& number, const Markup& m) {
+  std::vector<std::string> parts = passages(one, paper, m);
+  for (const std::string& each : one.reason) parts.push_back(m.text(each));
+  const auto effect = [&](const std::string& what, const std::vector<std::string>& on) {
     if (!on.empty())
-      parts.push_back(fmt::format(fmt::runtime(m.emphasis), what) + " " + m.text(names_of(on) + "."));
+      parts.push_back(fmt::format(fmt::runtime(m.emphasis), what) + " " +
+                      m.text(with_marks(fmt::format("{}.", fmt::join(on, "; ")))));
   };
   effect("Changed:", one.changes);
   effect("Unchanged:", one.stands);
-  return fmt::format(fmt::runtime(m.paragraph), text + fmt::format("{}", fmt::join(parts, " ")));
+  return fmt::format(fmt::runtime(m.paragraph),
+                     fmt::format(fmt::runtime(m.item), number) + fmt::format("{}", fmt::join(parts, " ")));
 }
 
 std::string document(const Paper& paper, const std::vector<Judged>& judged, const Markup& m) {
@@ -142,14 +148,14 @@ std::string document(const Paper& paper, const std::vector<Judged>& judged, cons
   };
   std::string all = m.begin + fmt::format(fmt::runtime(m.title), "Errata");
   all += paragraph(paper.reference() + (paper.doi.empty() ? "." : ", doi:" + paper.doi + "."));
-  all += paragraph(fmt::format("What was read is {}. Of {} claims {} are confirmed as printed.", paper.read,
+  all += paragraph(fmt::format("This rests on {}. Of {} claims {} are confirmed as printed.", paper.read,
                                judged.size(), count(Verdict::confirmed)));
   std::size_t number = 0, remark = 0;
   bool remarks = false;
   for (const JudgedErratum& one : list.items) {
-    if (one.erratum.remark && !remarks) all += fmt::format(fmt::runtime(m.heading), "Remarks");
-    remarks = remarks || one.erratum.remark;
-    all += item(one, one.erratum.remark ? fmt::format("R{}", ++remark) : fmt::format("E{}", ++number), m);
+    if (one.remark && !remarks) all += fmt::format(fmt::runtime(m.heading), "Remarks");
+    remarks = remarks || one.remark;
+    all += item(one, paper, one.remark ? fmt::format("R{}", ++remark) : fmt::format("E{}", ++number), m);
   }
   all += fmt::format(fmt::runtime(m.heading), "Confirmed") + paragraph(confirmed_by_name(judged));
   return all + m.end;

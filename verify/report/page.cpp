@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <sstream>
 
 #include "support/page/formula.hpp"
 #include "support/page/markup.hpp"
@@ -35,19 +36,38 @@ std::string anchor(const std::string& heading) {
   return text;
 }
 
-/// The printed formulas, set; none where a part is no formula.
-Json formulas(const Printed& printed) {
+/// The left sides of a quote's equations, "F(q) = " of "F(q) = 2k; Δ = 0", where it has as many as are
+/// printed.
+std::vector<std::string> left_sides(const std::string& quote, std::size_t printed) {
+  std::vector<std::string> sides;
+  std::istringstream equations(quote);
+  for (std::string one; std::getline(equations, one, ';');) {
+    const std::size_t equals = one.find(" = ");
+    if (equals != std::string::npos) sides.push_back(one.substr(one.find_first_not_of(' '), equals) + " = ");
+  }
+  return sides.size() == printed ? sides : std::vector<std::string>(printed);
+}
+
+/// The printed formulas, set, with their left sides; none where a part is no formula.
+Json formulas(const Claim& claim, const Printed& printed) {
+  const std::vector<std::string> sides = left_sides(claim.quote, printed.size());
   Json list = Json::array();
-  for (const std::string& text : printed) {
-    const auto set = page::as_mathml(text);
+  for (std::size_t i = 0; i < printed.size(); ++i) {
+    const auto set = page::as_mathml(printed[i]);
     if (!set) return Json::array();
-    list.push_back(*set);
+    list.push_back({{"left", sides[i]}, {"set", *set}});
   }
   return list;
 }
 
+/// Whether an erratum has this claim.
+bool in_an_erratum(const Paper& paper, const std::string& cause) {
+  return std::any_of(paper.errata.begin(), paper.errata.end(),
+                     [&](const Erratum& one) { return one.id == cause; });
+}
+
 /// One claim of the report, with what its card shows besides.
-Json card(const Json& report, const Judged& judged) {
+Json card(const Paper& paper, const Json& report, const Judged& judged) {
   const Claim& claim = judged.claim;
   const Printed& print = report["favoured"].empty() ? claim.printed : judged.judgement->favoured;
   Json view = report;
@@ -57,9 +77,10 @@ Json card(const Json& report, const Judged& judged) {
   view["others"] = fmt::format("{}", fmt::join(claim.also, "; "));
   view["charitable"] = claim.charitable;
   view["has_severity"] = !report["severity"].is_null();
+  view["has_erratum"] = in_an_erratum(paper, claim.cause);
   view["has_print"] = !claim.printed.empty();
   view["print"] = fmt::format("{}", fmt::join(print, " | "));
-  view["formulas"] = formulas(print);
+  view["formulas"] = formulas(claim, print);
   view["has_formulas"] = !view["formulas"].empty();
   view["has_check"] = !claim.source.file.empty();
   view["check_line"] = std::to_string(claim.source.line);
@@ -91,7 +112,7 @@ Json sections(const Paper& paper, const std::vector<Judged>& judged, const Json&
            {"heading", of_paper ? section + " " + paper.section_title(section) : "Properties " + section},
            {"claims", Json::array()}});
     }
-    list.back()["claims"].push_back(card(report[i], judged[i]));
+    list.back()["claims"].push_back(card(paper, report[i], judged[i]));
   }
   return list;
 }
@@ -115,12 +136,13 @@ Json corrections(const Paper& paper, const std::vector<Judged>& judged) {
   for (const JudgedErratum& one : found.items) {
     Json claims = Json::array(), pairs = Json::array(), reason = Json::array();
     for (const Judged& j : one.claims) claims.push_back(j.claim.id);
-    for (const Correction& each : one.erratum.corrections)
-      pairs.push_back({{"printed", as_plain(each.printed)}, {"read", as_plain(each.read)}});
-    for (const Sentence& each : one.erratum.reason) reason.push_back(as_plain(each.text));
-    list.push_back({{"id", one.erratum.id},
-                    {"title", as_plain(one.erratum.title)},
-                    {"severity", std::string(name(one.severity)) + (one.erratum.remark ? ", a remark" : "")},
+    for (const Correction& each : one.corrections)
+      pairs.push_back({{"where", place_of(paper.claim(each.claim))},
+                       {"printed", as_plain(each.printed)},
+                       {"read", as_plain(each.read)}});
+    for (const std::string& each : one.reason) reason.push_back(as_plain(each));
+    list.push_back({{"id", one.id},
+                    {"severity", std::string(name(one.severity)) + (one.remark ? ", a remark" : "")},
                     {"claims", std::move(claims)},
                     {"corrections", std::move(pairs)},
                     {"reason", std::move(reason)}});
@@ -153,10 +175,12 @@ Json gallery(const std::vector<DrawnFigure>& figures) {
 std::string as_html(const Paper& paper, const std::vector<Judged>& judged,
                     const std::vector<DrawnFigure>& figures) {
   const Json report = as_json(judged);
-  return page::document("The claims, judged", "Every claim of the paper with its verdict and the evidence",
+  return page::document(paper.title + ": the claims, judged",
+                        "Every claim of the paper with its verdict and the evidence",
                         page::filled(claims_template, {{"total", std::to_string(judged.size())},
                                                        {"paper", reference(paper)},
                                                        {"proofs_checked", proofs_checked()},
+                                                       {"confirmed", confirmed_by_name(judged)},
                                                        {"counts", counts(report)},
                                                        {"sections", sections(paper, judged, report)},
                                                        {"errata", corrections(paper, judged)},

@@ -112,17 +112,16 @@ std::string summary(const std::vector<Judged>& judged, bool colour) {
   return fmt::format("{} claims: {}\n", judged.size(), parts);
 }
 
-std::string erratum(const JudgedErratum& one, bool colour) {
-  std::string text = fmt::format("  {} ({}{})\n", bold(one.erratum.id, colour), name(one.severity),
-                                 one.erratum.remark ? ", a remark" : "") +
-                     wrapped(as_plain(one.erratum.title), 4);
-  for (const Correction& correction : one.erratum.corrections)
-    text += wrapped(fmt::format("{}: for “{}” read “{}”", correction.claim, as_plain(correction.printed),
-                                as_plain(correction.read)),
-                    4);
+std::string erratum(const Paper& paper, const JudgedErratum& one, bool colour) {
+  std::string text =
+      fmt::format("  {} ({}{})\n", bold(one.id, colour), name(one.severity), one.remark ? ", a remark" : "");
+  for (const Correction& correction : one.corrections)
+    text += wrapped(
+        fmt::format("{} ({}): for “{}” read “{}”", correction.claim, place_of(paper.claim(correction.claim)),
+                    as_plain(correction.printed), as_plain(correction.read)),
+        4);
   for (const Judged& judged : one.claims) {
-    const auto& corrections = one.erratum.corrections;
-    const bool corrected = std::any_of(corrections.begin(), corrections.end(),
+    const bool corrected = std::any_of(one.corrections.begin(), one.corrections.end(),
                                        [&](const Correction& c) { return c.claim == judged.claim.id; });
     if (!corrected) text += wrapped(judged.claim.id + ": " + judged.judgement->truth, 4);
   }
@@ -161,7 +160,7 @@ std::string as_table(const Paper& paper, const std::vector<Judged>& judged, cons
   for (const std::string& problem : list.problems()) text += "  not held: " + problem + "\n";
   if (list.items.empty()) return text;
   text += fmt::format("{}\n\n{}\n", count_of(list), bold("Errata", style.colour));
-  for (const JudgedErratum& one : list.items) text += erratum(one, style.colour);
+  for (const JudgedErratum& one : list.items) text += erratum(paper, one, style.colour);
   return text;
 }
 
