@@ -111,7 +111,7 @@ TEST_CASE("a falsehood planted in errata.toml is not printed") {
       // facts that are not so, and claims that do not stand
       {"printed = [\"0.06508\", \"1.01664\"]", "printed = [\"0.06508\", \"1.02664\"]", "1.02664"},
       {"printed = [\"half turn\"]", "printed = [\"mirror\"]", "each other by: mirror"},
-      {"printed = [\"smooth\"]", "printed = [\"not smooth\"]", "is not smooth"},
+      {"printed = [\"smooth\"]", "printed = [\"not smooth\"]", "its path is not smooth"},
       {"stands = [\"eq-19\", \"eq-20\"", "stands = [\"eq-17\", \"eq-20\"", "Unchanged:* 4.1, (17)"},
       {"reason = [\"rank\", \"eigenvectors\"]", "reason = [\"two-zeros\", \"eigenvectors\"]", "Exactly two"},
       // two corrections of one sentence

@@ -36,6 +36,7 @@ inline std::multimap<std::string, plumbline::verify::Printed> corrected_claims()
       {"algorithm-1-general", {"two links or more, at most one passive joint"}},
       {"algorithm-1-step-3", {"n+1"}},
       {"three-nonzero-roots", {"3", "-1.0822", "-0.4337", "-0.2841"}},
+      {"fig-16-maxima", {"maximum", "unstable"}},
       {"fig-16-minima", {"minimum", "stable"}},
       {"gravity-axial-stiffness", {"changed"}},
   };

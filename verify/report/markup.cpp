@@ -163,16 +163,17 @@ std::string by_parts(const std::string& text, const Text& outside, const Formula
 }  // namespace
 
 std::string as_latex(const std::string& text) {
-  return by_parts(
+  std::string whole = by_parts(
       text,
       [](const std::string& part) {
         std::string set;
         for (std::size_t place = 0; place < part.size();) set += sign_in_sentence(part, place);
-        // signs of mathematics that meet are one formula
-        for (std::size_t at = set.find("$$"); at != std::string::npos; at = set.find("$$")) set.erase(at, 2);
         return set;
       },
       [](const std::string& formula) { return "$" + formula_in_latex(formula) + "$"; });
+  // signs of mathematics and formulas that meet are one formula
+  for (std::size_t at = whole.find("$$"); at != std::string::npos; at = whole.find("$$")) whole.erase(at, 2);
+  return whole;
 }
 
 std::string as_markdown(const std::string& text) {
