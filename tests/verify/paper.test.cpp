@@ -6,6 +6,7 @@
 #include <plumbline/base/error.hpp>
 
 #include "verify/claims/claims.hpp"
+#include "verify/generic/generic.hpp"
 #include "verify/judging/judge.hpp"
 
 using namespace plumbline;
@@ -96,4 +97,40 @@ TEST_CASE("premises: prints of claims, numbers of all forms") {
   CHECK_THROWS_AS(static_cast<void>(given.exact("fig-3-angle")), Error);
   CHECK_THROWS_AS(static_cast<void>(given.value("u-chain")), Error);
   CHECK_THROWS_AS(static_cast<void>(given.at("z-chain")), Error);
+}
+
+TEST_CASE("a published abstract on a chain with a follower load and masses is judged as it is worded") {
+  const Paper abstract = with_checks(read_paper_folder(PLUMBLINE_SOURCE_DIR "/verify/papers/kirillov-2011"));
+  const std::map<std::string, std::string> expected{
+      {"minimum-equal", "confirmed"},
+      {"minimum-double", "confirmed"},
+      {"flutter", "confirmed"},
+      {"maximum-joint", "confirmed"},
+      // P = 2 c + (sqrt(m1) - sqrt(m2))^2 / (2 m2) for equal stiffnesses c: without bound as m2 goes to zero
+      {"maximum-end", "imprecise"}};
+  for (const Judged& one : judge(abstract.claims, 10)) {
+    INFO(one.claim.id, " ", one.problem);
+    REQUIRE(one.judgement);
+    CHECK(name(one.judgement->verdict) == expected.at(one.claim.id));
+  }
+}
+
+TEST_CASE("a chain file as premise has the ends that it states") {
+  // the free double pendulum under a dead load: P = (3 - sqrt 5)/2 c/l (Ziegler, Principles of Structural
+  // Stability)
+  const auto factor = [](const std::string& end, const std::string& printed) {
+    Claim claim;
+    claim.id = "x";
+    claim.printed = {printed};
+    claim.given = Premises({{"c", "", "q", {{"chain", {"lengths = [1, 1]\nstiffness = [1, 1]\n" + end}}}}});
+    claim.check = generic_check({"critical", {{"chain", {"c"}}}, "here"});
+    return judge({claim}, 10).front();
+  };
+  const auto verdict = [](const Judged& one) {
+    return one.judgement ? std::string(name(one.judgement->verdict)) : one.problem;
+  };
+  CHECK(verdict(factor("end_point = \"free\"\n", "0.381966")) == "confirmed");
+  CHECK(verdict(factor("end_point = \"free\"\n", "2.5")) == "refuted");
+  CHECK(verdict(factor("", "2.5")) == "confirmed");  // guided, without the key
+  CHECK(verdict(factor("end_point = \"floating\"\n", "2.5")).find("end_point") != std::string::npos);
 }

@@ -23,6 +23,7 @@ constexpr NamedKind kinds[] = {
     {"modes", "straight", generic::modes},
     {"closed form", "straight", generic::closed_form},
     {"stability", "straight", generic::stability},
+    {"critical", "structures", generic::critical},
     {"equilibria", "equilibria", generic::equilibria},
     {"path", "path", generic::path},
     {"event", "path", generic::event},

@@ -44,6 +44,8 @@ Judgement modes(const Parameters& with, const Printed& printed, const Premises& 
 Judgement closed_form(const Parameters& with, const Printed& printed, const Premises& given, int digits);
 /// Whether the straight chain is stable under a force (straight.cpp).
 Judgement stability(const Parameters& with, const Printed& printed, const Premises& given, int digits);
+/// Where chains with any ends, loads and masses give way (structures.cpp).
+Judgement critical(const Parameters& with, const Printed& printed, const Premises& given, int digits);
 /// All equilibria under a load: how many, which, which are stable (equilibria.cpp).
 Judgement equilibria(const Parameters& with, const Printed& printed, const Premises& given, int digits);
 /// What a slowly compressed chain does (path.cpp).

@@ -17,7 +17,7 @@ struct Premise {
   std::string id;
   std::string where;  ///< place in the paper; empty where the judge takes it so
   std::string quote;  ///< the paper's own words, or in ours what is taken
-  /// "length", "stiffness" and "rest" of a chain, "end" where its end point stands without load; "value" of
+  /// "length", "stiffness" and "rest" of a chain, "end" where its end point stands without load; "chain", a chain file; "value" of
   /// anything else. Each number as `number` reads it.
   std::map<std::string, Printed> parts;
 };

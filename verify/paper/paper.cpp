@@ -18,10 +18,10 @@ namespace {
 
 Premise premise(const toml::table& one, const std::string& source) {
   Premise read{text(one, "id", source), text(one, "where", source, ""), text(one, "quote", source), {}};
-  for (const char* const part : {"length", "stiffness", "rest", "end", "value"})
+  for (const char* const part : {"length", "stiffness", "rest", "end", "chain", "value"})
     if (one.contains(part)) read.parts[part] = texts(one, part, source);
-  files::refuse_unknown_keys(one, {"id", "where", "quote", "length", "stiffness", "rest", "end", "value"},
-                             source);
+  files::refuse_unknown_keys(
+      one, {"id", "where", "quote", "length", "stiffness", "rest", "end", "chain", "value"}, source);
   return read;
 }
 

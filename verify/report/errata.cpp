@@ -12,10 +12,10 @@
 namespace plumbline::verify {
 namespace {
 
-/// Verdicts on whatever an erratum names.
-class Verdicts {
+/// KnownVerdicts on whatever an erratum names.
+class KnownVerdicts {
  public:
-  Verdicts(const Paper& paper, const std::vector<Judged>& judged) : paper_(paper) {
+  KnownVerdicts(const Paper& paper, const std::vector<Judged>& judged) : paper_(paper) {
     for (const Judged& one : judged) known_.emplace(one.claim.id, one);
   }
 
@@ -56,7 +56,7 @@ std::string passage(const Claim& claim) {
 /// What an erratum names, held against the verdicts.
 class Examination {
  public:
-  Examination(const Erratum& said, Verdicts& verdicts, JudgedErratum& holds)
+  Examination(const Erratum& said, KnownVerdicts& verdicts, JudgedErratum& holds)
       : said_(said), verdicts_(verdicts), holds_(holds) {
     for (const Correction& one : said.corrections) examine(one);
     for (const std::string& id : said.reason) examine_reason(id);
@@ -101,7 +101,7 @@ class Examination {
   }
 
   const Erratum& said_;
-  Verdicts& verdicts_;
+  KnownVerdicts& verdicts_;
   JudgedErratum& holds_;
 };
 
@@ -127,7 +127,7 @@ std::vector<std::string> Errata::problems() const {
 
 Errata errata(const Paper& paper, const std::vector<Judged>& judged) {
   Errata list;
-  Verdicts verdicts(paper, judged);
+  KnownVerdicts verdicts(paper, judged);
   for (const Erratum& erratum : paper.errata) {
     std::vector<Judged> claims;
     for (const Judged& one : judged) {
