@@ -19,6 +19,7 @@
 #include "proofs/certificates/certificate.hpp"
 #include "proofs/certificates/structure_certificate.hpp"
 #include "proofs/exact/critical_torque.hpp"
+#include "proofs/rod/rod_of_chain.hpp"
 #include "statement/chain_table.hpp"
 #include "statement/stated.hpp"
 #include "support/files/printable.hpp"
@@ -143,9 +144,22 @@ Result compute_structure(NamedChain& entry, const CriticalOptions& options) {
       std::move(certificate)};
 }
 
+RodAnswer rod_of(const CriticalModes& chain, int digits) {
+  constexpr int most_digits = 20;
+  try {
+    const proofs::Rod rod = proofs::rod_of_chain(chain.data, *chain.beam);
+    return {proofs::critical_rod(rod, std::min(digits, most_digits)), ""};
+  } catch (const Error& error) {
+    return {std::nullopt, error.what()};
+  }
+}
+
 Result compute(NamedChain& entry, const CriticalOptions& options) {
   require_straight(entry.structure.chain);
-  return entry.plain ? compute_plain(entry, options) : compute_structure(entry, options);
+  if (entry.plain) return compute_plain(entry, options);
+  Result result = compute_structure(entry, options);
+  if (result.chain.beam && needs_shapes(options)) result.chain.rod = rod_of(result.chain, options.digits);
+  return result;
 }
 
 std::string certificates(const std::vector<nlohmann::json>& entries, const char* format,

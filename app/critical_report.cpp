@@ -57,19 +57,32 @@ std::string angles(std::size_t number, const proofs::CriticalMode& mode) {
   return text + fmt::format("   Fy {}\n", proofs::to_decimal(mode.fy, 4));
 }
 
-/// What the force of a chain of bars says of the rod.
+/// The force of a chain of bars beside that of its rod.
 std::string as_rod(const CriticalModes& result, const std::string& factor) {
   if (!result.beam) return "";
-  const Rational force = *proofs::parse_decimal(factor), bar = result.beam->bar;
-  const Rational length = bar * result.data.chain.size();
+  const Rational force = *proofs::parse_decimal(factor), length = result.beam->bar * result.data.chain.size();
   const Rational in_EI = force * length * length / result.beam->EI;
   std::string text = fmt::format("In E I / length^2: {}\n", proofs::to_decimal(in_EI, 10));
-  if (!has_unit_compression(result.data)) return text;
-  const Rational share = force * bar * bar / (12 * result.beam->EI);
+  if (!result.rod) return text;
+  if (!result.rod->loss) return text + fmt::format("The rod itself is not enclosed: {}\n", result.rod->open);
+  const proofs::RodLoss& rod = *result.rod->loss;
+  const Rational lack = 100 * (rod.factor.low - force) / rod.factor.low;
+  text +=
+      fmt::format("The rod itself: {}, proved in every digit; these links are {} % {}\n", rod.factor.decimal,
+                  proofs::to_decimal(Rational(abs(lack)), 2), lack < 0 ? "above" : "below");
+  if (rod.frequencies == 0) return text;
   return text +
-         fmt::format(
-             "The rod: {}, by force (1 + e), e = force bar^2 / (12 E I) = {}, which these links lack\n",
-             proofs::to_decimal(Rational(force * (1 + share)), 6), proofs::to_decimal(share, 2));
+         fmt::format("  {}, the first among its {} lowest frequencies; those above were not followed\n",
+                     proofs::name_of(rod.kind), rod.frequencies);
+}
+
+nlohmann::ordered_json json_of(const proofs::RodLoss& rod) {
+  nlohmann::ordered_json json{{"factor", rod.factor.decimal},
+                              {"low", proofs::to_exact(rod.factor.low)},
+                              {"high", proofs::to_exact(rod.factor.high)},
+                              {"kind", proofs::name_of(rod.kind)}};
+  if (rod.frequencies > 0) json["frequencies"] = rod.frequencies;
+  return json;
 }
 
 std::string heading(const CriticalModes& result) {
@@ -297,6 +310,7 @@ nlohmann::ordered_json as_json(const std::vector<CriticalModes>& results,
                                  {"links", result.data.chain.size()},
                                  {"case", case_of(result.data)},
                                  {"digits", digits}};
+    if (result.rod && result.rod->loss) chain["rod"] = json_of(*result.rod->loss);
     if (result.loss) {
       chain["loss"] = as_json(*result.loss, result.data);
     } else {

@@ -12,9 +12,16 @@
 #include "proofs/exact/critical_modes.hpp"
 #include "proofs/exact/follower.hpp"
 #include "proofs/exact/straight_space.hpp"
+#include "proofs/rod/critical_rod.hpp"
 #include "statement/beam.hpp"
 
 namespace plumbline::app {
+
+/// What is proved of the rod that a chain stands for, or why nothing is.
+struct RodAnswer {
+  std::optional<proofs::RodLoss> loss;
+  std::string open;
+};
 
 struct CriticalModes {
   std::string chain;  ///< name
@@ -23,6 +30,7 @@ struct CriticalModes {
   std::size_t all = 0;                        ///< modes that there are
   std::optional<statement::Beam> beam;        ///< that the chain stands for
   std::optional<proofs::StabilityLoss> loss;  ///< instead of modes, where a load follows the chain
+  std::optional<RodAnswer> rod = {};          ///< that the chain stands for
 };
 
 /// Modes of a straight chain in space.

@@ -61,9 +61,11 @@ def straight_chains(folder):
     (folder / "twisted.toml").write_text(f"lengths = [1, 1, 1]\njoints = [{alike}, {alike}, {alike}]\n" + 'end_point = "clamped"\nloads = [{ torque = "semitangential" }]\n', encoding="utf-8")
     (folder / "ziegler.toml").write_text('lengths = [1, 1]\nstiffness = [1, 1]\nend_point = "free"\nloads = [{ follower = 1 }]\n',
                                          encoding="utf-8")
-    (folder / "touching.toml").write_text('lengths = [1, 1]\nstiffness = [1, 1]\nend_point = "free"\nmasses = [2, 1]\n'
+    (folder / "beck.toml").write_text('beam = { EI = 1, length = 1, links = 3 }\nbase = "clamped"\nend_point = "free"\n'
+                                      'loads = [{ follower = 1 }]\n', encoding="utf-8")
+    (folder / "touching.toml", "beck.toml").write_text('lengths = [1, 1]\nstiffness = [1, 1]\nend_point = "free"\nmasses = [2, 1]\n'
                                           "loads = [{ follower = 5 }, { force = [-4, 0] }]\n", encoding="utf-8")
-    chains = ("space.toml", "twisted.toml", "ziegler.toml", "touching.toml")
+    chains = ("space.toml", "twisted.toml", "ziegler.toml", "touching.toml", "beck.toml")
     hold("critical", [written("critical", folder=folder), *(written("critical", name, folder=folder) for name in chains),
                       written("critical", "chains.csv", "--all", "--digits", "30", folder=folder, statuses=[2])])
     hold("check", [written("check", "values.csv", "--chains", "good.csv", folder=folder, statuses=[1])])
