@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "proofs/exact/decimal.hpp"
 #include "statement/decimal_toml.hpp"
 #include "support/files/printable.hpp"
 
@@ -68,7 +69,9 @@ std::string TypedTable::word(std::string_view key, const std::vector<std::string
 bool TypedTable::flag(std::string_view key, bool otherwise) const {
   if (!has(key)) return otherwise;
   if (const auto value = node(key).value_exact<bool>()) return *value;
-  throw Error(place(key), as_written(node(key)), "true or false");
+  const std::string found = as_written(node(key)), word = word_of(node(key));
+  const bool quoted = !word.empty() && !proofs::parse_decimal(word);  // a decimal is text here alone
+  throw Error(place(key), quoted ? '"' + found + '"' : found, "true or false");
 }
 
 TypedTable TypedTable::table(std::string_view key, const std::vector<std::string_view>& known) const {
