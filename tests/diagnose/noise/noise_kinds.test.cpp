@@ -13,7 +13,7 @@ using namespace plumbline::diagnose;
 
 namespace {
 
-Experiment long_bench() {
+Experiment pressed_bench() {
   Experiment experiment = test::three_links();
   for (int run = 0; run < 4; ++run)
     test::press(experiment, {0.3, -0.5, 0.4}, {-0.01 * (run + 3), 0}, 40, true);
@@ -25,7 +25,7 @@ struct Spoilt {
   Study study;
   VectorXd residual = study.nominal_residual();
 
-  explicit Spoilt(Experiment experiment = long_bench()) : study(std::move(experiment)) {}
+  explicit Spoilt(Experiment experiment = pressed_bench()) : study(std::move(experiment)) {}
 
   /// Calls `change(value, number)` for every reading of the force in a run.
   template <class Change>
@@ -84,7 +84,7 @@ TEST_CASE("a segment of six times the noise is found, with its readings and its 
 }
 
 TEST_CASE("readings of a coarse display that repeat share one rounding error, others are as they were") {
-  Experiment experiment = long_bench();
+  Experiment experiment = pressed_bench();
   const double step = 4 * experiment.noise[Channel::Name::Fx];
   for (Run& run : experiment.runs)
     for (Reading& reading : run.readings) reading[column_Fx] = step * std::round(reading[column_Fx] / step);
@@ -121,7 +121,7 @@ TEST_CASE("a large slow sinusoid is seen as one of a moderate size is") {
 }
 
 TEST_CASE("each outlier is as probable as the others make it") {
-  const Study study(long_bench());
+  const Study study(pressed_bench());
   NoiseShape shape(study.measurements());
   shape.outlier[3] = true;
   const double one = shape.outliers().share;
