@@ -126,7 +126,7 @@ TEST_CASE("the keys of a chain are those of an experiment too") {
   const Outcome both = here.plumbline("critical both.toml");
   check_refused(both);
   CHECK(both.err ==
-        "plumbline: both.toml:2: found both lengths and link_length, expected one of the two, which "
+        "plumbline: both.toml:2: link_length: found both lengths and this, expected one of the two, which "
         "mean the same\n");
 }
 

@@ -23,7 +23,7 @@ def force(q, torque):
 
 def write(folder, law, *, control=("displacement",), angles=False, stiffness=STIFFNESS, readings=40, seed=1, rough=None, rough_from=0,
           hum=0):
-    """`law(joint, deflection, k)` is the torque that the joints really carry; run `rough` scatters four times as much, from a reading on.
+    """`law(joint, deflection, k)` is the torque that the joints really carry; run `rough` scatters three times as much, from a reading on (at four times noise and a cause outside are equal).
     `hum` is the amplitude, in sigmas, of a tone every three and a half readings of what is measured."""
     noise = random.Random(seed)
     folder.mkdir()
@@ -42,7 +42,7 @@ def write(folder, law, *, control=("displacement",), angles=False, stiffness=STI
             F = force(q, [law(j, q[j] - REST[j], k) for j, k in enumerate(stiffness)])
             values = {**dict(zip(("x", "y"), end_point(q))), **dict(zip(("Fx", "Fy"), F))}
             for channel in ("Fx", "Fy") if kind == "displacement" else ("x", "y"):
-                values[channel] += noise.gauss(0, SIGMA[channel] * (4 if number == rough and t >= rough_from else 1))
+                values[channel] += noise.gauss(0, SIGMA[channel] * (3 if number == rough and t >= rough_from else 1))
                 values[channel] += hum * SIGMA[channel] * math.sin(2 * math.pi * t / 3.5)
             fields = [2 * t, *values.values()] + [a + noise.gauss(0, SIGMA["q"]) for a in q if angles]
             lines.append(",".join(f"{value:.9g}" for value in fields))

@@ -14,7 +14,7 @@ using Matrix3 = Eigen::Matrix<Real, 3, 3>;
 /// A rigid arm and its inertias. SI units, radians; coordinates are in the order of the links.
 template <Floating Real>
 struct MovingArm {
-  SerialArm<Real> arm;
+  SerialArm<Real> arm;  ///< kinematics, masses and gravity
   /// Of each link about its centre of mass, in the axes of the link, kg m^2.
   std::vector<Matrix3<Real>> inertia;
   /// Of each drive's rotor as its joint feels it, times the gear ratio squared, kg m^2 or kg.
@@ -27,10 +27,11 @@ struct MovingArm {
         armature(Vector<Real>::Zero(static_cast<Eigen::Index>(arm.size()))) {}
 };
 
-/// Coordinates of the joints, rad or m, and their rates.
+/// A state of the joints.
 template <Floating Real>
 struct ArmState {
-  Vector<Real> q, v;
+  Vector<Real> q;  ///< coordinates, rad or m
+  Vector<Real> v;  ///< their rates, rad/s or m/s
 };
 
 /// \throws Error where the arm is none (serial_arm.hpp), where a link yields, where an inertia is not that of a
