@@ -30,7 +30,7 @@ Verdict decide(const Posterior& posterior) {
   for (const CauseProbability& one : posterior.causes) listed += one.probability;
   if (posterior.causes.empty()) return verdict;
   const bool outside_leads = posterior.outside > listed;
-  if (outside_leads && !posterior.leaves_nothing) return verdict;
+  if (outside_leads && (listed < ratio || !posterior.leaves_nothing)) return verdict;
   verdict.too_few_readings = outside_leads;
   const double worth_naming = ratio * (outside_leads ? listed : 1);
   const std::size_t others = verdict.or_outside ? 1 : 0;

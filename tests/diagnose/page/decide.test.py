@@ -398,7 +398,8 @@ def decide(data):
         return "none", set(), no_gap, outside
     listed = sum(p for _, p in causes)
     leads = outside > listed
-    if not causes or (leads and not next(h["leaves_nothing"] for h in data["hypotheses"] if h["own"] == causes[0][0])):
+    nothing_left = causes and next(h["leaves_nothing"] for h in data["hypotheses"] if h["own"] == causes[0][0])
+    if not causes or (leads and (listed < 1 / WRONG or not nothing_left)):
         return "unknown", set(), no_gap, outside
     others = 1 if outside >= 1 / WRONG else 0
     named = [causes[0][0]] + [c for c, p in causes[1:] if p >= (listed if leads else 1) / WRONG]
