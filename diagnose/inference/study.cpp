@@ -104,9 +104,7 @@ const Excitation& Study::excitation() const {
 
 std::vector<ParameterRange> Study::ranges(const EffectAt& at) const {
   std::vector<ParameterRange> all = at.effect->parameters({scales_, index_of(at)});
-  const bool slides = at.joint > 0 && experiment_.arm &&
-                      experiment_.arm->arm.links[at.joint - 1].kind == JointKind::prismatic;
-  if (slides || experiment_.alone == Alone::slides)
+  if (experiment_.slides(at.joint > 0 ? at.joint - 1 : 0) && (at.joint > 0 || !experiment_.has_links()))
     for (ParameterRange& one : all) one.unit = sliding_unit(one.unit);
   return all;
 }

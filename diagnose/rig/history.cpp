@@ -358,8 +358,12 @@ class RunWalk {
     const Vector2 second = rig.second_load(run_);
     row(column_Fx_2) = second.x();
     row(column_Fy_2) = second.y();
-    for (std::size_t i = 0; i < layout_.links; ++i)
-      row(column_q + static_cast<Eigen::Index>(i)) = layout_.joint_angle(rig.posture.angle, i);
+    double tilt = 0;
+    for (std::size_t i = 0; i < layout_.links; ++i) {
+      const double q = layout_.joint_angle(rig.posture.angle, i);
+      row(Channel(Channel::Name::q, i).column) = q;
+      row(Channel(Channel::Name::tilt, i, layout_.links).column) = tilt += q;
+    }
     correct(rig.on, reading, row);
   }
 
@@ -460,7 +464,7 @@ Prediction simulate(const Experiment& experiment, const Rig& rig,
   Prediction result;
   for (const Run& run : experiment.runs) {
     const auto rows = static_cast<Eigen::Index>(run.readings.size());
-    const auto columns = column_q + static_cast<Eigen::Index>(layout.links);
+    const auto columns = Channel(Channel::Name::tilt, layout.links, layout.links).column;
     result.runs.push_back(Trace::Constant(rows, columns, std::numeric_limits<double>::quiet_NaN()));
   }
   result.sensitivity.assign(variations.size(), result.runs);
