@@ -35,7 +35,7 @@ Run press(const std::vector<double>& length, const std::vector<double>& rest, do
   }
   for (int i = 0; i < 100; ++i) {
     const double share = 1 - std::abs(1 - i / 50.0);
-    run.readings.push_back({1.0 * i, x + share * by_x, y + share * by_y, 0, 0, {}});
+    run.readings.push_back({1.0 * i, {x + share * by_x, y + share * by_y, 0, 0}});
   }
   return run;
 }
@@ -60,12 +60,12 @@ Task task(const EffectAt& at, unsigned seed) {
   for (const ParameterRange& range : Study(one.experiment).ranges(at)) truth.push_back(range.scale / 2);
   const Prediction predicted = predict(Study(one.experiment), {{at}}, truth);
   std::mt19937 engine(seed);
-  std::normal_distribution<double> noise(0, one.experiment.noise.Fx);
+  std::normal_distribution<double> noise(0, one.experiment.noise[Channel::Name::Fx]);
   for (std::size_t r = 0; r < one.experiment.runs.size(); ++r) {
     for (std::size_t i = 0; i < one.experiment.runs[r].readings.size(); ++i) {
       const auto row = static_cast<Eigen::Index>(i);
-      one.experiment.runs[r].readings[i].Fx = predicted.runs[r](row, column_Fx) + noise(engine);
-      one.experiment.runs[r].readings[i].Fy = predicted.runs[r](row, column_Fy) + noise(engine);
+      one.experiment.runs[r].readings[i][column_Fx] = predicted.runs[r](row, column_Fx) + noise(engine);
+      one.experiment.runs[r].readings[i][column_Fy] = predicted.runs[r](row, column_Fy) + noise(engine);
     }
   }
   return one;
@@ -76,10 +76,10 @@ Json for_script(const Task& one) {
   for (const Run& run : one.experiment.runs) {
     Json columns{{"rest", run.rest}};
     for (const Reading& reading : run.readings) {
-      columns["x"].push_back(reading.x);
-      columns["y"].push_back(reading.y);
-      columns["Fx"].push_back(reading.Fx);
-      columns["Fy"].push_back(reading.Fy);
+      columns["x"].push_back(reading[column_x]);
+      columns["y"].push_back(reading[column_y]);
+      columns["Fx"].push_back(reading[column_Fx]);
+      columns["Fy"].push_back(reading[column_Fy]);
     }
     runs.push_back(columns);
   }
@@ -89,7 +89,7 @@ Json for_script(const Task& one) {
       {"effect", one.at.effect->id},
       {"joint", one.at.joint},
       {"nominal", {{"length", one.experiment.link_length}, {"stiffness", one.experiment.joint_stiffness}}},
-      {"sigma", one.experiment.noise.Fx},
+      {"sigma", one.experiment.noise[Channel::Name::Fx]},
       {"scale", scale},
       {"runs", runs}};
 }

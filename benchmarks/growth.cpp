@@ -99,19 +99,21 @@ diagnose::Experiment pressed(std::size_t links, std::size_t runs, std::size_t re
     for (std::size_t i = 0; i < count; ++i) {
       const double share = 1 - std::abs(1 - 2 * static_cast<double>(i) / static_cast<double>(count - 1));
       run.readings.push_back(
-          {static_cast<double>(i), x - 0.1 * share, y + (r % 2 == 0 ? 0 : 0.05) * share, 0, 0, {}});
+          {static_cast<double>(i), {x - 0.1 * share, y + (r % 2 == 0 ? 0 : 0.05) * share, 0, 0}});
     }
     experiment.runs.push_back(std::move(run));
   }
   const diagnose::Study study(experiment);
   const diagnose::Candidate soft{{{"joint_stiffness", 2}}};
   const auto predicted = predict(study, soft, {study.ranges(soft)[0].scale / 2});
-  std::normal_distribution<double> noise(0, experiment.noise.Fx);
+  std::normal_distribution<double> noise(0, experiment.noise[diagnose::Channel::Name::Fx]);
   for (std::size_t r = 0; r < runs; ++r) {
     for (std::size_t i = 0; i < experiment.runs[r].readings.size(); ++i) {
       diagnose::Reading& reading = experiment.runs[r].readings[i];
-      reading.Fx = predicted.runs[r](static_cast<Eigen::Index>(i), diagnose::column_Fx) + noise(random);
-      reading.Fy = predicted.runs[r](static_cast<Eigen::Index>(i), diagnose::column_Fy) + noise(random);
+      reading[diagnose::column_Fx] =
+          predicted.runs[r](static_cast<Eigen::Index>(i), diagnose::column_Fx) + noise(random);
+      reading[diagnose::column_Fy] =
+          predicted.runs[r](static_cast<Eigen::Index>(i), diagnose::column_Fy) + noise(random);
     }
   }
   return experiment;

@@ -161,14 +161,14 @@ Forces dsbgvx(StraightPencil<double> pencil, const char* range) {
 
 }  // namespace
 
-Forces dsbgvx_lowest(const StraightPencil<double>& pencil) {
+Forces dsbgvx_lowest_of_pencil(const StraightPencil<double>& pencil) {
   return dsbgvx(pencil, "I");
 }
-Forces dsbgvx_all(const StraightPencil<double>& pencil) {
+Forces dsbgvx_all_of_pencil(const StraightPencil<double>& pencil) {
   return dsbgvx(pencil, "A");
 }
 
-Forces dsygv_all(const StraightPencil<double>& pencil) {
+Forces dsygv_all_of_pencil(const StraightPencil<double>& pencil) {
   const int n = static_cast<int>(pencil.size()), one = 1, room = 64 * n;
   const auto dense = [&](const Band<double, 2>& band) {
     std::vector<double> all(count(n) * count(n));

@@ -63,7 +63,7 @@ bool make(Experiment& experiment, const Instance& truth, Run run, std::mt19937& 
   Experiment one = experiment;
   one.runs.push_back(run);
   one.run_count = 0;
-  for (Reading& reading : one.runs.back().readings) reading.Fx = reading.Fy = 0;
+  for (Reading& reading : one.runs.back().readings) reading[column_Fx] = reading[column_Fy] = 0;
   const Study study(one);
   // An effect keeps its size in catalogue units when the experiment grows: its parameters are those.
   const Prediction predicted = predict(study, truth.candidate, truth.parameters);
@@ -72,8 +72,8 @@ bool make(Experiment& experiment, const Instance& truth, Run run, std::mt19937& 
   const Trace& trace = predicted.runs.back();
   for (std::size_t i = 0; i < run.readings.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);
-    run.readings[i].Fx = trace(row, column_Fx) + experiment.noise.Fx * normal(random);
-    run.readings[i].Fy = trace(row, column_Fy) + experiment.noise.Fy * normal(random);
+    run.readings[i][column_Fx] = trace(row, column_Fx) + experiment.noise[Channel::Name::Fx] * normal(random);
+    run.readings[i][column_Fy] = trace(row, column_Fy) + experiment.noise[Channel::Name::Fy] * normal(random);
   }
   experiment.runs.push_back(std::move(run));
   return true;
@@ -98,7 +98,8 @@ std::vector<Run> candidates(const Study& study) {
 double travel(const Run& run) {
   double farthest = 0;
   for (const Reading& one : run.readings)
-    farthest = std::max(farthest, std::hypot(one.x - run.readings[0].x, one.y - run.readings[0].y));
+    farthest = std::max(farthest, std::hypot(one[column_x] - run.readings[0][column_x],
+                                             one[column_y] - run.readings[0][column_y]));
   return farthest;
 }
 
@@ -133,7 +134,7 @@ Experiment everything(const Experiment& experiment, const Instance& truth) {
   for (const Run& run : candidates(Study(experiment))) {
     if (!run.turns_back()) continue;
     quiet.runs.clear();
-    quiet.noise.Fx = quiet.noise.Fy = 1e-12;
+    quiet.noise[Channel::Name::Fx] = quiet.noise[Channel::Name::Fy] = 1e-12;
     if (make(quiet, truth, run, unused)) all.runs.push_back(quiet.runs.front());
   }
   return all;
@@ -180,12 +181,14 @@ std::optional<Draw> draw(std::mt19937& random, double noise) {
   if (pool.empty()) return std::nullopt;
   const Run run = pool[below(random, pool.size())];
   first.runs = {run};
-  for (Reading& reading : first.runs[0].readings) reading.Fx = reading.Fy = 0;
+  for (Reading& reading : first.runs[0].readings) reading[column_Fx] = reading[column_Fy] = 0;
   const Study commanded(first);
   if (!commanded.nominal().reached || commanded.nominal().snapped) return std::nullopt;
   for (std::size_t i = 0; i < run.readings.size(); ++i) {
-    first.runs[0].readings[i].Fx = commanded.nominal().runs[0](static_cast<Eigen::Index>(i), column_Fx);
-    first.runs[0].readings[i].Fy = commanded.nominal().runs[0](static_cast<Eigen::Index>(i), column_Fy);
+    first.runs[0].readings[i][column_Fx] =
+        commanded.nominal().runs[0](static_cast<Eigen::Index>(i), column_Fx);
+    first.runs[0].readings[i][column_Fy] =
+        commanded.nominal().runs[0](static_cast<Eigen::Index>(i), column_Fy);
   }
   const Study study(first);
   std::vector<EffectAt> single;  // whose parameters have a natural zero, and mean the same in any experiment

@@ -31,9 +31,9 @@ Forces dsygv_all(const Chain<double>& chain);
 Forces dggev_all(const Chain<double>& chain);  ///< of the pencil (33)
 
 // lapack.cpp: factors of a structure's pencil
-Forces dsbgvx_lowest(const StraightPencil<double>& pencil);
-Forces dsbgvx_all(const StraightPencil<double>& pencil);
-Forces dsygv_all(const StraightPencil<double>& pencil);
+Forces dsbgvx_lowest_of_pencil(const StraightPencil<double>& pencil);
+Forces dsbgvx_all_of_pencil(const StraightPencil<double>& pencil);
+Forces dsygv_all_of_pencil(const StraightPencil<double>& pencil);
 
 // algorithm1_peers.cpp
 Forces spectra_lowest(const Chain<double>& chain);               ///< shift and invert about 0

@@ -84,9 +84,9 @@ std::optional<Run> draw_run(Random& random, const Experiment& experiment, std::s
   for (std::size_t i = 0; i < count; ++i) {
     const double s = load_share(profile, static_cast<double>(i) / static_cast<double>(count - 1));
     const Vector2 to = start + s * by;
-    Reading reading{static_cast<double>(i) * pause, 0, 0, 0, 0, {}};
-    (force ? reading.Fx : reading.x) = to.x();
-    (force ? reading.Fy : reading.y) = to.y();
+    Reading reading{static_cast<double>(i) * pause, {0, 0, 0, 0}};
+    (force ? reading[column_Fx] : reading[column_x]) = to.x();
+    (force ? reading[column_Fy] : reading[column_y]) = to.y();
     run.readings.push_back(reading);
   }
   Experiment alone = experiment;
@@ -131,9 +131,9 @@ void declare_noise(Random& random, Experiment& experiment) {
   const double sharpness = log_between(random, 60, 500);
   experiment.noise = {travel / sharpness, travel / sharpness, force / sharpness, force / sharpness, 0};
   if (chance(random, 0.4)) {
-    experiment.noise.q = log_between(random, 4e-4, 3e-3);
+    experiment.noise[Channel::Name::q] = log_between(random, 4e-4, 3e-3);
     for (Run& run : experiment.runs)
-      for (Reading& reading : run.readings) reading.q.assign(experiment.link_length.size(), 0.0);
+      for (Reading& reading : run.readings) reading[column_q + std::ssize(experiment.link_length) - 1] = 0;
   }
 }
 
@@ -143,12 +143,11 @@ void write_readings(Experiment& experiment, const Prediction& predicted) {
     for (std::size_t i = 0; i < run.readings.size(); ++i) {
       const auto row = predicted.runs[r].row(static_cast<Eigen::Index>(i));
       Reading& reading = run.readings[i];
-      (run.control == Control::end_point ? reading.Fx : reading.x) =
+      (run.control == Control::end_point ? reading[column_Fx] : reading[column_x]) =
           row(run.control == Control::end_point ? column_Fx : column_x);
-      (run.control == Control::end_point ? reading.Fy : reading.y) =
+      (run.control == Control::end_point ? reading[column_Fy] : reading[column_y]) =
           row(run.control == Control::end_point ? column_Fy : column_y);
-      for (std::size_t j = 0; j < reading.q.size(); ++j)
-        reading.q[j] = row(column_q + static_cast<Eigen::Index>(j));
+      for (Eigen::Index c = column_q; c < std::ssize(reading.value); ++c) reading[c] = row(c);
     }
   }
 }
@@ -335,14 +334,7 @@ void add_noise(Random& random, Scenario& scenario) {
       double error = scale * state;
       if (kind == 2 && chance(random, 0.015)) error += 15 * between(random, -1, 1);
       Reading& reading = experiment.runs[series.run].readings[series.readings[i]];
-      const auto value = [&](Channel::Name name) -> double& {
-        if (name == Channel::Name::x) return reading.x;
-        if (name == Channel::Name::y) return reading.y;
-        if (name == Channel::Name::Fx) return reading.Fx;
-        if (name == Channel::Name::Fy) return reading.Fy;
-        return reading.q[series.channel.joint];
-      };
-      double& measured = value(series.channel.name);
+      double& measured = series.channel.in(reading);
       const double sigma = measurements.sigma()(static_cast<Eigen::Index>(series.first + i));
       measured += sigma * error;
       if (quantised) measured = sigma / 3 * std::round(3 * measured / sigma);

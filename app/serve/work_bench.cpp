@@ -49,7 +49,8 @@ json readings(const diagnose::Run& run) {
   std::vector<double> x, y, Fx, Fy;
   for (std::size_t i = 0; i < run.readings.size(); i += step) {
     const diagnose::Reading& r = run.readings[i];
-    x.push_back(r.x), y.push_back(r.y), Fx.push_back(r.Fx), Fy.push_back(r.Fy);
+    x.push_back(r[diagnose::column_x]), y.push_back(r[diagnose::column_y]);
+    Fx.push_back(r[diagnose::column_Fx]), Fy.push_back(r[diagnose::column_Fy]);
   }
   return {{"id", run.id},      {"control", run.holds_end_point() ? "displacement" : "force"},
           {"rest", run.rest},  {"count", run.readings.size()},

@@ -50,7 +50,7 @@ struct Channel {
   std::ptrdiff_t column;  ///< in readings and traces
 
   /// \param joints  of the arm, for what stands behind its joints' angles
-  constexpr explicit Channel(Name of, std::size_t index = 0, std::size_t joints = 0);
+  constexpr explicit Channel(Name of = Name::x, std::size_t index = 0, std::size_t joints = 0);
 
   bool operator==(const Channel&) const = default;
   [[nodiscard]] constexpr const struct ChannelKind& kind() const;

@@ -90,7 +90,8 @@ std::optional<CandidateRun> with_weight(const Experiment& experiment, CandidateR
       bearable_load(experiment, {Control::force, one.run.rest, ""}, down, so_far);
   if (!load) return std::nullopt;
   const double newtons = std::stod(fmt::format("{:.2g}", load->norm()));
-  for (Reading& reading : one.run.readings) reading.Fx = newtons * down.x(), reading.Fy = newtons * down.y();
+  for (Reading& reading : one.run.readings)
+    reading[column_Fx] = newtons * down.x(), reading[column_Fy] = newtons * down.y();
   one.description += fmt::format(", with {:.2g} N hung at the end point", newtons);
   return one;
 }

@@ -30,12 +30,12 @@ bool walk(const Experiment& experiment, const Run& run, const Rig& rig,
     main.head_for(reading);
     if (!main.settle()) return false;
     if (!others.empty()) main.prepare();
-    main.write(reading, row);
+    main.write(row);
     trace.row(at) = row.transpose();
     for (std::size_t p = 0; p < others.size(); ++p) {
       others[p].head_for(reading);
       if (!others[p].settle_beside(main)) return false;
-      others[p].write(reading, other);
+      others[p].write(other);
       beside[p]->row(at) = (other - row).transpose();
       others[p].remember();
     }

@@ -279,7 +279,7 @@ bool ArmTraveller::reads(const Channel& channel) const {
   return std::find(measured_.begin(), measured_.end(), channel) != measured_.end();
 }
 
-void ArmTraveller::write(const Reading& reading, Eigen::Ref<Eigen::ArrayXd> row) const {
+void ArmTraveller::write(Eigen::Ref<Eigen::ArrayXd> row) const {
   const ArmRig& rig = *on_.rig.arm;
   const ArmPosture<double> posture(arm_, coordinate_);
   const Vector3<double> tipped = turn_of_tool(posture);

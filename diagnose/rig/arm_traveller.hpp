@@ -30,7 +30,7 @@ class ArmTraveller {
   /// Keeps the joints in mind as they are.
   void remember();
   /// The channels of the reading, as a row of a trace.
-  void write(const Reading& reading, Eigen::Ref<Eigen::ArrayXd> row) const;
+  void write(Eigen::Ref<Eigen::ArrayXd> row) const;
 
  private:
   /// Lengthens the arm by the temperature of a reading.

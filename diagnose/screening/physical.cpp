@@ -136,7 +136,8 @@ std::pair<double, std::string_view> usual_size(const Experiment& experiment, Sen
   }
   double turning = 0;
   for (const double k : experiment.joint_stiffness) turning = std::max(turning, k / reach);
-  return {turning, "that which turns a joint by a radian"};
+  const bool is_torque = sensor == Sensor::torque || sensor == Sensor::second_torque;
+  return {turning, is_torque ? "that of a radian" : "the force that turns a joint by a radian"};
 }
 
 /// Noise below the rounding of the measured values is none, and residuals in its units overflow.

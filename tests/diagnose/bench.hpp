@@ -14,6 +14,7 @@
 
 #include "diagnose/inference/study.hpp"
 #include "diagnose/noise/noise_estimate.hpp"
+#include "tests/diagnose/chain_values.hpp"
 
 namespace plumbline::diagnose::test {
 

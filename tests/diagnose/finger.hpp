@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tests/diagnose/bench.hpp"
+#include "tests/diagnose/chain_values.hpp"
 
 namespace plumbline::diagnose::test {
 

@@ -30,7 +30,7 @@ Experiment exact_press() {
 
 Where in_Fx() {
   Where where;
-  where.channels = {{{Channel::Name::Fx}, 1}};
+  where.channels = {{Channel(Channel::Name::Fx), 1}};
   return where;
 }
 
@@ -130,7 +130,7 @@ TEST_CASE("an outlier is not missing, and runs of another control are not drawn 
   noise.shape.outlier[20] = true;  // Fx is the first series
   CHECK(describe_missing(study, noise, in_Fx()).points.size() == 80);
   Where in_x;
-  in_x.channels = {{{Channel::Name::x}, 1}};
+  in_x.channels = {{Channel(Channel::Name::x), 1}};
   const Missing of_x = describe_missing(study, declared_noise(study), in_x);
   CHECK(of_x.points.size() == 11);
   CHECK(of_x.what == "x");

@@ -15,6 +15,7 @@
 #include "diagnose/answers/diagnosis.hpp"
 #include "diagnose/screening/conventions.hpp"
 #include "tests/diagnose/bench.hpp"
+#include "tests/diagnose/chain_values.hpp"
 
 using namespace plumbline;
 using namespace plumbline::diagnose;

@@ -20,7 +20,8 @@ namespace {
 Experiment one_reading() {
   Experiment experiment = three_links();
   experiment.link_mass = {0.1, 0.2, 0.3};
-  experiment.runs = {{"press", Control::end_point, {0.3, -0.5, 0.4}, {{0, 2, 3, 5, 7, {0.1, 0.25, 0.45}}}}};
+  experiment.runs = {
+      {"press", Control::end_point, {0.3, -0.5, 0.4}, {{0, chain_values(2, 3, 5, 7, {0.1, 0.25, 0.45})}}}};
   return experiment;
 }
 
@@ -185,9 +186,9 @@ TEST_CASE("readings converted to other axes, by hand") {
     const Conversion &force = conversion(all, "Fx, Fy", std::string("forces ") + one.name),
                      &place = conversion(all, "x, y", std::string("an end point ") + one.name),
                      &both = conversion(all, "x, y, Fx, Fy", std::string("axes ") + one.name);
-    CHECK(read(force) == std::vector<double>{2, 3, one[column_Fx], one[column_Fy]});
-    CHECK(read(place) == std::vector<double>{one[column_x], one[column_y], 5, 7});
-    CHECK(read(both) == std::vector<double>{one[column_x], one[column_y], one[column_Fx], one[column_Fy]});
+    CHECK(read(force) == std::vector<double>{2, 3, one.Fx, one.Fy});
+    CHECK(read(place) == std::vector<double>{one.x, one.y, 5, 7});
+    CHECK(read(both) == std::vector<double>{one.x, one.y, one.Fx, one.Fy});
     CHECK(force.remedy == one.of_force);
     CHECK(place.remedy == one.of_position);
     CHECK(both.remedy == std::string(one.of_position) + ", " + one.of_force);
@@ -248,11 +249,11 @@ TEST_CASE("joint angles in other conventions, by hand: readings, rest shape, bot
   for (const Written& one : written) {
     const Conversion &q = conversion(all, "q", one.name), &rest = conversion(all, "rest", one.name),
                      &both = conversion(all, "rest, q", one.name);
-    check_close(converted(experiment, q).runs[0].readings[0].angles(3), one.angles(3));
+    check_close(converted(experiment, q).runs[0].readings[0].angles(3), one.q);
     check_close(converted(experiment, q).runs[0].rest, {0.3, -0.5, 0.4});
     check_close(converted(experiment, rest).runs[0].rest, one.rest);
     check_close(converted(experiment, rest).runs[0].readings[0].angles(3), {0.1, 0.25, 0.45});
-    check_close(converted(experiment, both).runs[0].readings[0].angles(3), one.angles(3));
+    check_close(converted(experiment, both).runs[0].readings[0].angles(3), one.q);
     check_close(converted(experiment, both).runs[0].rest, one.rest);
     CHECK(q.remedy == one.of_q);
     CHECK(rest.remedy == one.of_rest);

@@ -50,8 +50,9 @@ TEST_CASE("a long run keeps its ends and turning points, and its readings their 
   CHECK(after.readings.back()[column_x] == before.readings.back()[column_x]);
   const auto depth = [](const Reading& a, const Reading& b) { return a[column_x] < b[column_x]; };
   const auto deepest = std::min_element(after.readings.begin(), after.readings.end(), depth);
-  CHECK(deepest->x == std::min_element(before.readings.begin(), before.readings.end(), depth)->x);
-  CHECK(std::isnan(deepest->Fx));
+  CHECK((*deepest)[column_x] ==
+        (*std::min_element(before.readings.begin(), before.readings.end(), depth))[column_x]);
+  CHECK(std::isnan((*deepest)[column_Fx]));
   std::size_t next = 0;
   for (std::size_t i = 0; i < after.readings.size(); ++i) {
     CHECK(after.first_taken(i) == next);

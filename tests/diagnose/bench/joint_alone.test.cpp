@@ -70,8 +70,8 @@ TEST_CASE("an imposed angle: the torque is measured") {
   CHECK(experiment.alone == Alone::turns);
   CHECK(run.holds_end_point());
   CHECK(run.rest == std::vector{0.0});
-  CHECK(run.imposed() == std::vector<Channel>{{Channel::Name::angle}});
-  CHECK(run.measured() == std::vector<Channel>{{Channel::Name::torque}});
+  CHECK(run.imposed() == std::vector<Channel>{Channel(Channel::Name::angle)});
+  CHECK(run.measured() == std::vector<Channel>{Channel(Channel::Name::torque)});
   CHECK(run.imposed_at(run.readings[2]).x() == doctest::Approx(2 * std::numbers::pi / 180));
   CHECK(run.measured()[0].of(run.readings[2]) == doctest::Approx(0.699));
   CHECK(run.measured()[0].sigma(experiment.noise) == doctest::Approx(0.005));
@@ -88,8 +88,8 @@ TEST_CASE("an imposed torque: the angle is measured, and weights have no sensor"
   const Experiment experiment = joint_from(loaded);
   const Run& run = experiment.runs.at(0);
   CHECK_FALSE(run.holds_end_point());
-  CHECK(run.imposed() == std::vector<Channel>{{Channel::Name::torque}});
-  CHECK(run.measured() == std::vector<Channel>{{Channel::Name::angle}});
+  CHECK(run.imposed() == std::vector<Channel>{Channel(Channel::Name::torque)});
+  CHECK(run.measured() == std::vector<Channel>{Channel(Channel::Name::angle)});
   CHECK(characteristic_scales(experiment).load_sensor);
   CHECK_FALSE(characteristic_scales(experiment).reads_load);
   const std::string hung = joint_with(loaded, "control", "loaded_by = \"weights\"\ncontrol");
@@ -120,8 +120,8 @@ samples = "loop.csv"
   CHECK(experiment.alone == Alone::slides);
   CHECK(experiment.joint_stiffness[0] == doctest::Approx(4000));
   CHECK(experiment.runs[0].rest[0] == doctest::Approx(0.001));
-  CHECK(experiment.runs[0].imposed() == std::vector<Channel>{{Channel::Name::x}});
-  CHECK(experiment.runs[0].measured() == std::vector<Channel>{{Channel::Name::Fx}});
+  CHECK(experiment.runs[0].imposed() == std::vector<Channel>{Channel(Channel::Name::x)});
+  CHECK(experiment.runs[0].measured() == std::vector<Channel>{Channel(Channel::Name::Fx)});
   CHECK(experiment.runs[0].readings[1][column_x] == doctest::Approx(0.001));
 }
 

@@ -14,6 +14,8 @@ using namespace plumbline::diagnose;
 
 namespace {
 
+constexpr std::ptrdiff_t first_of_point = Channel(Channel::Name::place, 0, 2).column;
+
 const std::string arm_settings = R"(format = "chain-experiment/1"
 name = "two axes"
 [arm]
@@ -74,7 +76,7 @@ TEST_CASE("an arm is read joint by joint, its poses in their units") {
   CHECK(std::isnan(second[first_of_point + 3]));
   CHECK(second.wrench[2] == close_to(-1.5 * 9.81));
   const std::vector<Channel> measured = experiment.runs[0].measured();
-  CHECK(std::find(measured.begin(), measured.end(), Channel(Channel::Name::place, 2)) != measured.end());
+  CHECK(std::find(measured.begin(), measured.end(), Channel(Channel::Name::place, 2, 2)) != measured.end());
 }
 
 TEST_CASE("a pose is read as a rotation from the nominal orientation") {

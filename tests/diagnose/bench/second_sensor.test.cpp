@@ -71,7 +71,7 @@ Experiment with_second_cell(const Candidate& truth, const std::vector<double>& v
 TEST_CASE("a second load cell is read in its unit and sign, with a noise of its own") {
   const Experiment experiment = read_two_cells();
   const Run& run = experiment.runs.at(0);
-  CHECK(run.measured() == std::vector<Channel>{{Name::Fx}, {Name::Fy}, {Name::Fx_2}});
+  CHECK(run.measured() == std::vector<Channel>{Channel(Name::Fx), Channel(Name::Fy), Channel(Name::Fx_2)});
   CHECK(Channel(Name::Fx_2).of(run.readings[1]) == close_to(-0.11));
   CHECK(std::isnan(Channel(Name::Fx_2).of(run.readings[2])));
   CHECK(Channel(Name::Fx_2).sigma(experiment.noise) == close_to(0.03));

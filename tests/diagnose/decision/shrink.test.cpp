@@ -50,23 +50,23 @@ TEST_CASE("the shrink of four held-out readings, by hand") {
                  after = by_series(measurements, {30, 1, 40, 2});
   const Shrink shrink = measure_shrink(measurements, whole_run(experiment, 1), before, after, noise);
   CHECK(shrink.heldout == std::vector<std::string>{"run-2"});
-  CHECK(shrink.rms_before.at({Channel::Name::Fx}) == close_to(3));   // 6 sigmas of 0.5 N
-  CHECK(shrink.rms_before.at({Channel::Name::Fy}) == close_to(16));  // 8 sigmas of 2 N
-  CHECK(shrink.rms_after.at({Channel::Name::Fx}) == close_to(0.5));
-  CHECK(shrink.rms_after.at({Channel::Name::Fy}) == close_to(4));
+  CHECK(shrink.rms_before.at(Channel(Channel::Name::Fx)) == close_to(3));   // 6 sigmas of 0.5 N
+  CHECK(shrink.rms_before.at(Channel(Channel::Name::Fy)) == close_to(16));  // 8 sigmas of 2 N
+  CHECK(shrink.rms_after.at(Channel(Channel::Name::Fx)) == close_to(0.5));
+  CHECK(shrink.rms_after.at(Channel(Channel::Name::Fy)) == close_to(4));
   // squares in sigmas: before 4 (36 + 64) = 400, after 4 (1 + 4) = 20; noise of 1.5 sigmas gives 8 * 2.25
   CHECK(shrink.ratio == close_to(std::sqrt(20.0 / 400)));
   CHECK(shrink.noise_floor_ratio == close_to(std::sqrt(18.0 / 400)));
   CHECK(shrink.chi2_per_value_after == close_to(20.0 / 18));
   // In noise of 0.5 and 2.5 sigmas every value counts by its own: (4 2^2 + 4 0.8^2) / 8
-  noise_of(noise, {Channel::Name::Fx}).scale = 0.5;
-  noise_of(noise, {Channel::Name::Fy}).scale = 2.5;
+  noise_of(noise, Channel(Channel::Name::Fx)).scale = 0.5;
+  noise_of(noise, Channel(Channel::Name::Fy)).scale = 2.5;
   CHECK(measure_shrink(measurements, whole_run(experiment, 1), before, after, noise).chi2_per_value_after ==
         close_to(2.32));
-  CHECK(shrink.channels.at({Channel::Name::Fx}).ratio == close_to(1.0 / 6));
-  CHECK(shrink.channels.at({Channel::Name::Fy}).ratio == close_to(2.0 / 8));
-  CHECK(shrink.channels.at({Channel::Name::Fx}).noise_floor_ratio == close_to(1.5 / 6));
-  CHECK(shrink.channels.at({Channel::Name::Fy}).noise_floor_ratio == close_to(1.5 / 8));
+  CHECK(shrink.channels.at(Channel(Channel::Name::Fx)).ratio == close_to(1.0 / 6));
+  CHECK(shrink.channels.at(Channel(Channel::Name::Fy)).ratio == close_to(2.0 / 8));
+  CHECK(shrink.channels.at(Channel(Channel::Name::Fx)).noise_floor_ratio == close_to(1.5 / 6));
+  CHECK(shrink.channels.at(Channel(Channel::Name::Fy)).noise_floor_ratio == close_to(1.5 / 8));
   // the two blocks, Fx and Fy, leave 1/6 and 1/4: no draw of them leaves less or more
   CHECK(shrink.ratio_low == close_to(1.0 / 6));
   CHECK(shrink.ratio_high == close_to(1.0 / 4));
@@ -78,7 +78,7 @@ TEST_CASE("every value is weighed by the noise that it has") {
   const VectorXd before = by_series(measurements, {9, 6, 9, 8}),
                  after = by_series(measurements, {9, 3, 9, 2});
   NoiseEstimate noise = declared_noise(measurements);
-  noise_of(noise, {Channel::Name::Fy}).scale = 2;
+  noise_of(noise, Channel(Channel::Name::Fy)).scale = 2;
   noise.shape.relative.segment(4, 2).setConstant(3);  // the first two of Fx
   const Shrink shrink = measure_shrink(measurements, whole_run(experiment, 1), before, after, noise);
   // Fx: twice 2^2 and twice 6^2, then twice 1 and twice 3^2; Fy: four times 4^2, then four times 1
@@ -112,7 +112,7 @@ TEST_CASE("bounds are of blocks of neighbours; nothing held out leaves the shrin
   for (const std::size_t s : {1U, 3U})
     uneven.segment(static_cast<Eigen::Index>(measurements.series()[s].first) + 8, 8) *= 3;
   const Shrink ragged = measure_shrink(measurements, whole_run(experiment, 1), before, uneven, noise);
-  const ChannelShrink& force = ragged.channels.at({Channel::Name::Fx});
+  const ChannelShrink& force = ragged.channels.at(Channel(Channel::Name::Fx));
   CHECK(force.ratio == close_to(std::sqrt(0.05)));
   CHECK(force.ratio_low == close_to(0.1));
   CHECK(force.ratio_high == close_to(0.3));
@@ -177,7 +177,7 @@ TEST_CASE("bounds of the shrink: 1.96 deviations of the ratio of white noise to 
 TEST_CASE("what is held out is hidden whole, what was commanded stays") {
   Experiment experiment = full_bench();  // press and back, press, load by force
   for (Run& run : experiment.runs)
-    for (Reading& reading : run.readings) reading = {reading.t, 1, 2, 3, 4, {5, 6, 7}};
+    for (Reading& reading : run.readings) reading = {reading.t, chain_values(1, 2, 3, 4, {5, 6, 7})};
   HeldOut held;
   for (const Run& run : experiment.runs) held.reading.emplace_back(run.readings.size(), false);
   for (auto& run : held.reading) run[2] = run[3] = true;

@@ -8,6 +8,7 @@
 
 #include "diagnose/rig/nominal.hpp"
 #include "tests/diagnose/bench.hpp"
+#include "tests/diagnose/chain_values.hpp"
 
 using namespace plumbline;
 using namespace plumbline::diagnose;

@@ -147,7 +147,7 @@ TEST_CASE("planned runs that some effect cannot follow at any amount are left ou
   press(bench, {0.3, -0.5, 0.4}, {0, 0}, 2, true);
   bench = unmeasured(bench);
   Reading& farthest = bench.runs[1].readings[2];
-  farthest.x = 0.6 * (1 - 1e-7), farthest.y = 0;
+  farthest[column_x] = 0.6 * (1 - 1e-7), farthest[column_y] = 0;
   const DesignSpace all = design_space(bench);
   CHECK(all.planned == 1);
   CHECK(all.descriptions[0] == "press-1 as planned");

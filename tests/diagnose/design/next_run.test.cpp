@@ -121,8 +121,8 @@ TEST_CASE("no run with a snap under some hypothesis is proposed") {
 TEST_CASE("a proposal's gap is the distance of the best hypothesis from the nominal model, and comes first") {
   const Study study(measured(along_x(), only("rest_angle", 1), {0.004}, 41));
   NoiseEstimate noise = declared_noise(study);
-  noise_of(noise, {Channel::Name::Fx}).scale = 2;
-  noise_of(noise, {Channel::Name::Fy}).scale = 0.5;
+  noise_of(noise, Channel(Channel::Name::Fx)).scale = 2;
+  noise_of(noise, Channel(Channel::Name::Fy)).scale = 0.5;
   const std::vector<Hypothesis> hypotheses{fit_in_white_noise(study, only("rest_angle", 1)),
                                            fit_in_white_noise(study, only("joint_stiffness", 2))};
   const auto gap_of = [&](const Proposal& one) {
@@ -228,10 +228,9 @@ TEST_CASE("expected information uses the estimated noise of each channel") {
   const auto nothing = [](NoiseEstimate&) {};
   const std::vector<double> plain = leads(experiment, as_found, nothing);
   REQUIRE_FALSE(plain.empty());
-  for (const auto& [name, sigma] :
-       {std::pair{Channel::Name::Fx, &Noise::Fx}, std::pair{Channel::Name::Fy, &Noise::Fy}}) {
+  for (const Channel::Name name : {Channel::Name::Fx, Channel::Name::Fy}) {
     Experiment louder = experiment;
-    louder.noise.*sigma *= 2;
+    louder.noise[name] *= 2;
     std::vector<Hypothesis> in_louder = as_found;
     for (const Block& block : study.measurements().blocks())
       for (Hypothesis& one : in_louder)
@@ -241,8 +240,7 @@ TEST_CASE("expected information uses the estimated noise of each channel") {
         }
     const std::vector<double> by_declaration = leads(louder, in_louder, nothing);
     const std::vector<double> by_finding =
-        leads(experiment, as_found,
-              [&, channel = name](NoiseEstimate& found) { noise_of(found, {channel}).scale = 2; });
+        leads(experiment, as_found, [&](NoiseEstimate& found) { noise_of(found, Channel(name)).scale = 2; });
     REQUIRE(by_declaration.size() == plain.size());
     REQUIRE(by_finding.size() == plain.size());
     CHECK(by_finding.back() != close_to(plain.back()).epsilon(1e-3));

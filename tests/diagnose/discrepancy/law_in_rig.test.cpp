@@ -64,8 +64,8 @@ TEST_CASE("a straight law of some joints is a stiffer spring there, in proportio
 TEST_CASE("what is left with a law is the sum of squares in the noise, without outliers") {
   const Study study = one_loop();
   NoiseEstimate noise = declared_noise(study);
-  noise_of(noise, {Channel::Name::Fx}).scale = 2;
-  noise_of(noise, {Channel::Name::Fy}).scale = 3;
+  noise_of(noise, Channel(Channel::Name::Fx)).scale = 2;
+  noise_of(noise, Channel(Channel::Name::Fy)).scale = 3;
   noise.shape.outlier[7] = noise.shape.outlier[90] = true;
   const TorqueLaw none = straight_law(study, {2}, {-1, 1, 40}, 0);
   const auto squares = [&](const Eigen::VectorXd& residual) {

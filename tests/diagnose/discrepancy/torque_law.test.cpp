@@ -164,8 +164,8 @@ TEST_CASE(
       experiment.runs[1].readings[3][column_Fx] = experiment.runs[1].readings[5][column_Fx] = nan_value();
       const Study study(experiment);
       NoiseEstimate noise = declared_noise(study);
-      noise_of(noise, {Channel::Name::Fx}).scale = 1.25;
-      noise_of(noise, {Channel::Name::Fy}).scale = 0.8;
+      noise_of(noise, Channel(Channel::Name::Fx)).scale = 1.25;
+      noise_of(noise, Channel(Channel::Name::Fy)).scale = 0.8;
       const double values = static_cast<double>(study.measurements().size()),
                    most = std::min(0.9, std::sqrt(1 - 2 / std::sqrt(values)));
       CHECK((most < 0.9) == (step > 1));

@@ -33,9 +33,10 @@ inline RankedCause ranked(const Candidate& candidate, const std::vector<double>&
 inline NoiseEstimate made_up_noise() {
   NoiseEstimate noise{{}, NoiseShape(Measurements(small_bench()))};
   using Name = Channel::Name;
-  noise.channels = {{{Name::x}, 1, 0, 1},        {{Name::y}, 1.04, 0, 1},      {of_Fx, 2, 0.12, 1},
-                    {{Name::Fy}, 1, 0.12, 1},    {{Name::q, 0}, 0.5, 0.03, 1}, {of_q2, 0.5, 0.03, 1},
-                    {{Name::q, 2}, 0.5, 0.05, 1}};
+  noise.channels = {
+      {Channel(Name::x), 1, 0, 1},        {Channel(Name::y), 1.04, 0, 1},      {of_Fx, 2, 0.12, 1},
+      {Channel(Name::Fy), 1, 0.12, 1},    {Channel(Name::q, 0), 0.5, 0.03, 1}, {of_q2, 0.5, 0.03, 1},
+      {Channel(Name::q, 2), 0.5, 0.05, 1}};
   return noise;
 }
 
@@ -59,7 +60,7 @@ inline Diagnosis made_up() {
               0.9995,
               12.5,
               {{of_Fx, 0.25}, {of_q2, 0.0031}},
-              {{"load-2", 4, {Channel::Name::x}, -310.4, true}, {"press-1", 5, of_Fx, 12.3, false}},
+              {{"load-2", 4, Channel(Channel::Name::x), -310.4, true}, {"press-1", 5, of_Fx, 12.3, false}},
               {"load-2"},
               {{"press-1", 3}},
               {{"press-1", {"press-1b"}}},

@@ -5,6 +5,7 @@
 #include <regex>
 
 #include "diagnose/report/charts.hpp"
+#include "tests/diagnose/chain_values.hpp"
 #include "tests/diagnose/report/made_up.hpp"
 
 using namespace plumbline;

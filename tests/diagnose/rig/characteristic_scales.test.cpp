@@ -7,6 +7,7 @@
 #include "diagnose/inference/study.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
+#include "tests/diagnose/chain_values.hpp"
 
 using namespace plumbline;
 using namespace plumbline::diagnose;
@@ -195,12 +196,12 @@ TEST_CASE("a channel: its label, unit, sensor, noise and place in a reading") {
     double value, sigma;
   };
   using Name = Channel::Name;
-  for (const Row& row :
-       {Row{{Name::x}, "x", "m", Sensor::position, 2, 0.1},
-        Row{{Name::y}, "y", "m", Sensor::position, 3, 0.2}, Row{{Name::Fx}, "Fx", "N", Sensor::force, 4, 0.3},
-        Row{{Name::Fy}, "Fy", "N", Sensor::force, 5, 0.4},
-        Row{{Name::q, 0}, "q1", "rad", Sensor::angle, 6, 0.5},
-        Row{{Name::q, 1}, "q2", "rad", Sensor::angle, 7, 0.5}}) {
+  for (const Row& row : {Row{Channel(Name::x), "x", "m", Sensor::position, 2, 0.1},
+                         Row{Channel(Name::y), "y", "m", Sensor::position, 3, 0.2},
+                         Row{Channel(Name::Fx), "Fx", "N", Sensor::force, 4, 0.3},
+                         Row{Channel(Name::Fy), "Fy", "N", Sensor::force, 5, 0.4},
+                         Row{Channel(Name::q, 0), "q1", "rad", Sensor::angle, 6, 0.5},
+                         Row{Channel(Name::q, 1), "q2", "rad", Sensor::angle, 7, 0.5}}) {
     CHECK(row.channel.label() == row.label);
     CHECK(row.channel.unit() == row.unit);
     CHECK(row.channel.sensor() == row.sensor);
@@ -209,7 +210,7 @@ TEST_CASE("a channel: its label, unit, sensor, noise and place in a reading") {
     row.channel.in(reading) = 9;
     CHECK(row.channel.of(reading) == 9);
   }
-  CHECK(label(Name::q) == "q");
+  CHECK(kind_of(Name::q).label == "q");
   CHECK(Channel(Name::Fx) < Channel(Name::Fy));
   CHECK(Channel(Name::q, 1) < Channel(Name::x));
 }

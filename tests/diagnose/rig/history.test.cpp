@@ -96,7 +96,7 @@ TEST_CASE("the nominal model satisfies k_i (q_i - rest_i) = [J^T F]_i at the imp
   const Prediction predicted = predict(Study(experiment), {}, {});
   each_reading(experiment, predicted, [&](const Drawn& shape, const auto& rest, auto run, auto reading) {
     for (std::size_t i = 0; i < 3; ++i) {
-      CHECK(experiment.joint_stiffness[i] * (shape[column_q + i] - rest[i]) ==
+      CHECK(experiment.joint_stiffness[i] * (shape.q[i] - rest[i]) ==
             doctest::Approx(shape.moment(i)).epsilon(up_to_rounding).scale(1));
     }
     if (experiment.runs[run].control == Control::end_point) {
@@ -164,35 +164,35 @@ TEST_CASE("joint effects balance as their definitions say") {
 
   each_reading(experiment, predict(Study(experiment), only("joint_stiffness", 2), {0.3}),
                [&](const Drawn& shape, const auto& rest, auto, auto) {
-                 CHECK(k[1] * 1.3 * (shape[column_q + 1] - rest[1]) == torque(shape.moment(1)));
-                 CHECK(k[2] * (shape[column_q + 2] - rest[2]) == torque(shape.moment(2)));
+                 CHECK(k[1] * 1.3 * (shape.q[1] - rest[1]) == torque(shape.moment(1)));
+                 CHECK(k[2] * (shape.q[2] - rest[2]) == torque(shape.moment(2)));
                });
   each_reading(experiment, predict(Study(experiment), only("rest_angle", 3), {0.07}),
                [&](const Drawn& shape, const auto& rest, auto, auto) {
-                 CHECK(k[2] * (shape[column_q + 2] - rest[2] - 0.07) == torque(shape.moment(2)));
+                 CHECK(k[2] * (shape.q[2] - rest[2] - 0.07) == torque(shape.moment(2)));
                });
   each_reading(experiment, predict(Study(experiment), only("nonlinear_spring"), {1.7}),
                [&](const Drawn& shape, const auto& rest, auto, auto) {
                  for (std::size_t i = 0; i < 3; ++i) {
-                   const double d = shape[column_q + i] - rest[i];
+                   const double d = shape.q[i] - rest[i];
                    CHECK(k[i] * d * (1 + 1.7 * d * d) == torque(shape.moment(i)));
                  }
                });
   each_reading(experiment, predict(Study(experiment), only("backlash", 1), {0.05}),
                [&](const Drawn& shape, const auto& rest, auto, auto) {
-                 const double d = shape[column_q + 0] - rest[0];
+                 const double d = shape.q[0] - rest[0];
                  const double engaged = std::max(0.0, std::abs(d) - 0.05);
                  CHECK(std::copysign(k[0] * engaged, d) == torque(shape.moment(0)));
                });
   each_reading(experiment, predict(Study(experiment), only("joint_stop", 2), {0.1, 4.0}),
                [&](const Drawn& shape, const auto& rest, auto, auto) {
-                 const double d = shape[column_q + 1] - rest[1];
+                 const double d = shape.q[1] - rest[1];
                  const double excess = std::max(0.0, std::abs(d) - 0.1);
                  CHECK(k[1] * d + std::copysign(4.0 * excess, d) == torque(shape.moment(1)));
                });
   each_reading(experiment, predict(Study(experiment), only("joint_coupling"), {0.4}),
                [&](const Drawn& shape, const auto& rest, auto, auto) {
-                 const auto d = [&](std::size_t i) { return shape[column_q + i] - rest[i]; };
+                 const auto d = [&](std::size_t i) { return shape.q[i] - rest[i]; };
                  CHECK(k[0] * d(0) - 0.4 * d(1) == torque(shape.moment(0)));
                  CHECK(k[1] * d(1) - 0.4 * (d(0) + d(2)) == torque(shape.moment(1)));
                  CHECK(k[2] * d(2) - 0.4 * d(1) == torque(shape.moment(2)));
@@ -210,14 +210,14 @@ TEST_CASE("weights, an eccentric load and a held tip balance as their definition
                    double moment = shape.moment(i);
                    for (std::size_t j = i; j < 3; ++j)
                      moment += shape.moment(i, shape.middle(j), {0, -0.8 * length[j] * standard_gravity});
-                   CHECK(k[i] * (shape[column_q + i] - rest[i]) == torque(moment));
+                   CHECK(k[i] * (shape.q[i] - rest[i]) == torque(moment));
                  }
                });
   each_reading(experiment, predict(Study(experiment), only("tip_payload"), {0.6}),
                [&](const Drawn& shape, const auto& rest, auto, auto) {
                  for (std::size_t i = 0; i < 3; ++i) {
                    const double moment = shape.moment(i) + shape.moment(i, shape.joint.back(), {0, -0.6});
-                   CHECK(k[i] * (shape[column_q + i] - rest[i]) == torque(moment));
+                   CHECK(k[i] * (shape.q[i] - rest[i]) == torque(moment));
                  }
                });
   each_reading(experiment, predict(Study(experiment), only("eccentric_load"), {0.02}),
@@ -225,13 +225,13 @@ TEST_CASE("weights, an eccentric load and a held tip balance as their definition
                  const double theta = shape.orientation(2);
                  const double extra = 0.02 * cross({-std::sin(theta), std::cos(theta)}, shape.force);
                  for (std::size_t i = 0; i < 3; ++i)
-                   CHECK(k[i] * (shape[column_q + i] - rest[i]) == torque(shape.moment(i) + extra));
+                   CHECK(k[i] * (shape.q[i] - rest[i]) == torque(shape.moment(i) + extra));
                });
   each_reading(experiment, predict(Study(experiment), only("tip_stiffness"), {0.5}),
                [&](const Drawn& shape, const auto& rest, auto, auto) {
                  const double turned = shape.orientation(2) - (rest[0] + rest[1] + rest[2]);
                  for (std::size_t i = 0; i < 3; ++i)
-                   CHECK(k[i] * (shape[column_q + i] - rest[i]) == torque(shape.moment(i) - 0.5 * turned));
+                   CHECK(k[i] * (shape.q[i] - rest[i]) == torque(shape.moment(i) - 0.5 * turned));
                });
 }
 
@@ -329,9 +329,9 @@ TEST_CASE("effects of rig and load cell act on commands and on readings") {
   Experiment turned = experiment;
   for (Reading& reading : turned.runs[0].readings) {
     const Reading& start = experiment.runs[0].readings.front();
-    const double dx = reading[column_x] - start.x, dy = reading[column_y] - start.y;
-    reading[column_x] = start.x + std::cos(eps) * dx - std::sin(eps) * dy;
-    reading[column_y] = start.y + std::sin(eps) * dx + std::cos(eps) * dy;
+    const double dx = reading[column_x] - start[column_x], dy = reading[column_y] - start[column_y];
+    reading[column_x] = start[column_x] + std::cos(eps) * dx - std::sin(eps) * dy;
+    reading[column_y] = start[column_y] + std::sin(eps) * dx + std::cos(eps) * dy;
   }
   const Trace along = predict(Study(turned), {}, {}).runs[0];
   const InPlane read = force("rail_misalignment", {eps}, 6);

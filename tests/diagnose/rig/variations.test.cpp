@@ -88,7 +88,7 @@ TEST_CASE(
   Eigen::ArrayXd row(9);
   row << 1, 2, 3, 4, 5, 6, 0.25, 0.5, 0.75;
   using Values = std::vector<double>;
-  CHECK(reading_values(row, {7, 2, -1, 0}, {Channel::Name::Fx}) == Values{1, 2, 3, 4, 7, 3, -1});
-  CHECK(reading_values(row, {7, 0, 1, 0.125}, {Channel::Name::q, 1}) ==
+  CHECK(reading_values(row, {7, 2, -1, 0}, Channel(Channel::Name::Fx)) == Values{1, 2, 3, 4, 7, 3, -1});
+  CHECK(reading_values(row, {7, 0, 1, 0.125}, Channel(Channel::Name::q, 1)) ==
         Values{1, 2, 3, 4, 7, 1, 1, 0.5, 0.375});
 }

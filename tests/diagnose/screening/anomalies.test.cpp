@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tests/diagnose/bench.hpp"
+#include "tests/diagnose/chain_values.hpp"
 
 using namespace plumbline::diagnose;
 using namespace plumbline::diagnose::test;
@@ -115,14 +116,16 @@ TEST_CASE("thresholds of anomalies: pauses, missing values, starts and forces, f
   CHECK(missing(12) == nothing);  // never measured
 
   const auto start = [](double away, double along) {
-    return remarked([&](Readings& all) { all[0].x -= away * along, all[0].y += away * (1 - along); });
+    return remarked(
+        [&](Readings& all) { all[0][column_x] -= away * along, all[0][column_y] += away * (1 - along); });
   };
   CHECK(start(0.0299, 1) == nothing);  // a twentieth of 0.6 m is 0.03
   CHECK(start(0.0301, 1) == Remarks{"run a: starts 0.0301 m from the unloaded end point (0.6, 0) m"});
   CHECK(start(0.0301, 0) == Remarks{"run a: starts 0.0301 m from the unloaded end point (0.6, 0) m"});
 
   const auto force = [](double Fx, double Fy, double away) {
-    return remarked([&](Readings& all) { all[0][column_Fx] = Fx, all[0][column_Fy] = Fy, all[0].x -= away; });
+    return remarked(
+        [&](Readings& all) { all[0][column_Fx] = Fx, all[0][column_Fy] = Fy, all[0][column_x] -= away; });
   };
   CHECK(force(0.199, -0.199, 0) == nothing);
   CHECK(force(-0.201, 0, 0) == Remarks{"run a: Fx is -0.201 N at the unloaded end point: a tare, a weight?"});

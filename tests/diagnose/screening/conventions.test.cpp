@@ -75,9 +75,8 @@ TEST_CASE("a wrong unit, sign, axis or order is named where there is a gap") {
        })},
       {"rest like angles in the reverse order",
        each_rest([](std::vector<double>& rest) { std::reverse(rest.begin(), rest.end()); })},
-      {"q like angles of the opposite sign", each_reading([](Reading& r) {
-         for (double& a : angles_of(r)) a = -a;
-       })},
+      {"q like angles of the opposite sign",
+       each_reading([](Reading& r) { each_angles(r, [](std::vector<double>& q) { scale(q, -1); }); })},
   };
   REQUIRE_FALSE(suspected_convention(Study(stiffer_bench())));
   for (const auto& [expected, spoil] : slips) {
@@ -406,7 +405,7 @@ TEST_CASE("impossible readings are refused with the unit that they resemble") {
              fmt::format("; x, y look like {0}: if so, columns.x.unit and columns.y.unit = \"{0}\"", name)));
   }
   CHECK(says(said(each_reading([](Reading& r) {
-               for (double& a : angles_of(r)) a *= 57.29577951308232;
+               each_angles(r, [](std::vector<double>& q) { scale(q, 57.29577951308232); });
              })),
              "; q looks like degrees: if so, columns.q.unit = \"deg\""));
 }

@@ -127,19 +127,20 @@ TEST_CASE("measured channels have a noise above their rounding") {
 
   // Sizes: the reach 0.6 m, the force k / reach of the stiffest joint, 2 / 0.6 N, one radian.
   const double epsilon = std::numeric_limits<double>::epsilon();
-  const auto least = [&](double Noise::*sigma, double size, const char* name) {
+  const auto least = [&](Channel::Name channel, double size, const char* name) {
     Experiment one = straight_bench();
     for (Reading& r : one.runs[0].readings) std::fill(r.value.begin() + column_q, r.value.end(), 0.0);
     CAPTURE(name);
-    one.noise.*sigma = 1.01 * size * epsilon;
+    one.noise[channel] = 1.01 * size * epsilon;
     CHECK(refused(one) == "");
-    one.noise.*sigma = 0.99 * size * epsilon;
+    one.noise[channel] = 0.99 * size * epsilon;
     const std::string said = refused(one);
     CHECK(said.find(std::string("noise.") + name + ": found ") == 0);
     CHECK(said.find("expected more than the rounding of what it is the noise of, ") != std::string::npos);
   };
-  least(&Noise::x, 0.6, "x"), least(&Noise::y, 0.6, "y"), least(&Noise::q, 1, "q");
-  least(&Noise::Fx, 2 / 0.6, "Fx"), least(&Noise::Fy, 2 / 0.6, "Fy");
+  using Name = Channel::Name;
+  least(Name::x, 0.6, "x"), least(Name::y, 0.6, "y"), least(Name::q, 1, "q");
+  least(Name::Fx, 2 / 0.6, "Fx"), least(Name::Fy, 2 / 0.6, "Fy");
   Experiment large = straight_bench();
   large.runs[0].readings[1][column_Fx] = -8, large.runs[0].readings[1][column_Fy] = 9;
   large.noise[Channel::Name::Fx] = 7 * epsilon;

@@ -102,7 +102,7 @@ std::vector<Slip> slips_of_whole_chains() {
         std::reverse(list->begin(), list->end());
       each_rest(reverse)(e);
     };
-    const Spoil readings = each_reading([=](Reading& r) { each_angles(r, [](auto& q) { reverse(q); }); });
+    const Spoil readings = each_reading([=](Reading& r) { each_angles(r, reverse); });
     const std::string like = " like " + std::string(kind) + "lists from the end point on";
     all.push_back({"link_length, joint_stiffness, rest" + like, chain});
     all.push_back({"link_length, joint_stiffness, rest, q" + like,
@@ -152,19 +152,20 @@ TEST_CASE("planted reversed lists of links raise a question where they differ, a
 TEST_CASE("a joint of opposite sign raises a question where it is bent, and the right one") {
   const auto turned = [](std::vector<double>& q) { q[1] *= -1; };
   const auto turned_reading = each_reading([&](Reading& r) { each_angles(r, turned); });
-  const std::vector<Slip> slips{
-      {"rest of joint 2 like an angle of the opposite sign", each_rest(turned)},
-      {"q2 like an angle of the opposite sign", turned_reading, true},
-      {"rest of joint 2, q2 like an angle of the opposite sign",
-       [&](Experiment& e) { each_rest(turned)(e), turned_reading(e); }, true},
-      {"rest, q like degrees",
-       [](Experiment& e) {
-         constexpr double degree = 57.29577951308232;
-         each_rest([](std::vector<double>& q) { scale(q, degree); })(e);
-         each_reading([](Reading& r) { each_angles(r, [](auto& q) { scale(q, degree); }); })(e);
-         e.noise[Channel::Name::q] *= degree;
-       },
-       true}};
+  const std::vector<Slip> slips{{"rest of joint 2 like an angle of the opposite sign", each_rest(turned)},
+                                {"q2 like an angle of the opposite sign", turned_reading, true},
+                                {"rest of joint 2, q2 like an angle of the opposite sign",
+                                 [&](Experiment& e) { each_rest(turned)(e), turned_reading(e); }, true},
+                                {"rest, q like degrees",
+                                 [](Experiment& e) {
+                                   constexpr double degree = 57.29577951308232;
+                                   each_rest([](std::vector<double>& q) { scale(q, degree); })(e);
+                                   each_reading([](Reading& r) {
+                                     each_angles(r, [](std::vector<double>& q) { scale(q, degree); });
+                                   })(e);
+                                   e.noise[Channel::Name::q] *= degree;
+                                 },
+                                 true}};
   std::vector<Experiment> bent = committed_experiments();
   std::erase_if(bent, [](const Experiment& e) {
     return e.link_length.size() < 2 || std::any_of(e.runs.begin(), e.runs.end(), [](const Run& run) {

@@ -34,6 +34,15 @@ inline Spoil each_rest(const std::function<void(std::vector<double>&)>& change) 
   };
 }
 
+/// Changes the joint angles that a reading has.
+inline void each_angles(Reading& reading, const std::function<void(std::vector<double>&)>& change) {
+  const auto first = reading.value.begin() + std::min<std::ptrdiff_t>(column_q, std::ssize(reading.value));
+  std::vector<double> angles(first, reading.value.end());
+  if (angles.empty()) return;
+  change(angles);
+  std::copy(angles.begin(), angles.end(), first);
+}
+
 inline void scale(std::vector<double>& values, double factor) {
   for (double& value : values) value *= factor;
 }
@@ -79,8 +88,10 @@ inline std::vector<Slip> slips_of_units() {
                    [unit](Experiment& e) { scale(e.joint_stiffness, 1 / unit); }});
   }
   all.push_back({"rest like degrees", each_rest([](std::vector<double>& rest) { scale(rest, degree); })});
-  all.push_back({"q like degrees",
-                 each_reading([](Reading& r) { each_angles(r, [](auto& q) { scale(q, degree); }); }), true});
+  all.push_back({"q like degrees", each_reading([](Reading& r) {
+                   each_angles(r, [](std::vector<double>& q) { scale(q, degree); });
+                 }),
+                 true});
   return all;
 }
 

@@ -140,7 +140,7 @@ TEST_CASE(
   REQUIRE_FALSE(angles.empty());
   for (Reading& reading : experiment.runs[1].readings) reading.value.resize(column_q);
   CHECK_FALSE(stuck_channel(Study(experiment)));
-  hold(experiment.runs[0], {Channel::Name::q, 1}, 0.25);
+  hold(experiment.runs[0], Channel(Channel::Name::q, 1), 0.25);
   const auto found = stuck_channel(Study(experiment));
   REQUIRE(found);
   CHECK(found->channel == Channel(Channel::Name::q, 1));

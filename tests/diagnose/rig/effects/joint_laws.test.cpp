@@ -9,6 +9,7 @@
 #include "diagnose/inference/study.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
+#include "tests/diagnose/chain_values.hpp"
 
 using namespace plumbline;
 using namespace plumbline::diagnose;

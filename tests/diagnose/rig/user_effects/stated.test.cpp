@@ -296,8 +296,8 @@ TEST_CASE("a correction of an angle depends on its joint's direction and deflect
       if (!rests && i > 0) CHECK(std::abs(q - angles[angles.size() - 2]) > 2e-5);
     }
     const std::vector<double> way = ways(angles),
-                              added = added_by(study, (*rows)[0], 0.5, 0, {Channel::Name::q, joint}),
-                              bent = added_by(study, (*rows)[1], 0.5, 0, {Channel::Name::q, joint});
+                              added = added_by(study, (*rows)[0], 0.5, 0, Channel(Channel::Name::q, joint)),
+                              bent = added_by(study, (*rows)[1], 0.5, 0, Channel(Channel::Name::q, joint));
     for (std::size_t i = 0; i < way.size(); ++i) {
       CHECK(added[i] == close_to(0.5 * way[i]));
       const double d = angles[i] - experiment.runs[0].rest[joint];

@@ -277,8 +277,8 @@ TEST_CASE("a user effect acts at its joint, at every joint, or on its channels")
   const Rig read = added(effect_of("[effect.reading]\nq3 = \"a\"\n", told_parameter("a", one_scale)), 0);
   CHECK(read.stated_torques.empty());
   REQUIRE(read.stated_corrections.size() == 1);
-  CHECK(read.stated_corrections[0].applies_to({Channel::Name::q, 2}));
-  CHECK_FALSE(read.stated_corrections[0].applies_to({Channel::Name::q, 1}));
+  CHECK(read.stated_corrections[0].applies_to(Channel(Channel::Name::q, 2)));
+  CHECK_FALSE(read.stated_corrections[0].applies_to(Channel(Channel::Name::q, 1)));
 }
 
 TEST_CASE("an expression is evaluated along the nominal model, and zero for amounts of zero") {
