@@ -238,7 +238,7 @@ SampleFormat standard_format(std::size_t joints, Alone alone) {
     for (std::size_t j = 0; j < joints; ++j)
       format.columns.push_back(channel_column(Channel(Channel::Name::q, j), quantity::angle));
   for (std::size_t j = 0; j < joints; ++j) {
-    format.columns.push_back(own_column("q_command" + std::to_string(j + 1), &quantity_of(end.of_joint)));
+    format.columns.push_back(own_column("q_command" + std::to_string(j + 1), &quantity_of(end.joint)));
     format.columns.back().says = Says::command, format.columns.back().group = "q_command";
   }
   for (const Channel& channel : end.second)
