@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/arguments.hpp"
-#include "app/chain_file.hpp"
 #include "app/complaints.hpp"
 #include "app/outputs.hpp"
 #include "app/progress.hpp"
@@ -14,6 +13,7 @@
 #include "proofs/certificates/equilibria_certificate.hpp"
 #include "proofs/certificates/path_certificate.hpp"
 #include "proofs/certificates/structure_certificate.hpp"
+#include "statement/chain_table.hpp"
 #include "support/files/json_file.hpp"
 #include "support/files/text_file.hpp"
 #include "verify/reference/agreement.hpp"
@@ -60,9 +60,10 @@ Chains read_chains(const std::string& path) {
       chains.emplace(reference.name, reference.chain);
     return chains;
   }
-  const ChainTable table = parse_chain_table(files::read_text(path), files::source_name(path));
+  const statement::ChainTable table =
+      statement::parse_chain_table(files::read_text(path), files::source_name(path));
   refuse(table.errors);
-  for (const NamedStructure& entry : table.chains) chains.emplace(entry.name, entry.structure.chain);
+  for (const statement::NamedChain& entry : table.chains) chains.emplace(entry.name, entry.structure.chain);
   return chains;
 }
 

@@ -41,8 +41,11 @@ std::string what_went_wrong() {
            ", expected a file that can be used";
   } catch (const std::bad_alloc&) {
     return "memory: found no more, expected a smaller task or a larger machine";
-  } catch (const std::exception& error) {
+  } catch (const Error& error) {
     return error.what();
+  } catch (const std::exception&) {  // whose words are a library's
+    return "plumbline: found a computation that failed, expected a result: please report the command and its "
+           "input";
   }
 }
 

@@ -8,18 +8,19 @@
 #include <plumbline/base/parallel.hpp>
 
 #include "app/arguments.hpp"
-#include "app/chain_file.hpp"
+#include "app/case_words.hpp"
 #include "app/complaints.hpp"
 #include "app/critical_report.hpp"
 #include "app/example_chain.hpp"
 #include "app/model_chain.hpp"
 #include "app/outputs.hpp"
 #include "app/progress.hpp"
-#include "app/space_file.hpp"
 #include "app/verbs.hpp"
 #include "proofs/certificates/certificate.hpp"
 #include "proofs/certificates/structure_certificate.hpp"
 #include "proofs/exact/critical_torque.hpp"
+#include "statement/chain_table.hpp"
+#include "statement/stated.hpp"
 #include "support/files/printable.hpp"
 #include "support/files/text_file.hpp"
 
@@ -27,6 +28,7 @@ namespace plumbline::app {
 namespace {
 
 namespace fs = std::filesystem;
+using statement::ChainTable, statement::NamedChain;
 
 struct CriticalOptions {
   std::string input, csv, json, certify;
@@ -52,9 +54,9 @@ bool needs_shapes(const CriticalOptions& options) {
   return options.csv.empty() || !options.json.empty();
 }
 
-ChainTable one(const std::string& name, NamedStructure structure) {
-  structure.name = name;
-  return {{std::move(structure)}, {}};
+ChainTable one(const std::string& name, const std::string& source, const std::string& text,
+               statement::PlaneChain chain) {
+  return {{{std::move(chain), name, source, text}}, {}};
 }
 
 /// The text of the input, whose kind it tells.
@@ -67,7 +69,7 @@ std::string read(CriticalOptions& options) {
     throw Error(path, "a name that ends in \"" + extension + "\"",
                 ".toml (a chain), .csv (a table of chains) or a model: .xml (MJCF), .urdf, .sdf");
   std::string text = read_chain_text(path);
-  options.table = piped ? is_chain_table(text) : is_table(path);
+  options.table = piped ? statement::is_chain_table(text) : is_table(path);
   return text;
 }
 
@@ -100,7 +102,7 @@ struct Result {
   nlohmann::json certificate;
 };
 
-Result compute_plain(NamedStructure& entry, const CriticalOptions& options) {
+Result compute_plain(NamedChain& entry, const CriticalOptions& options) {
   const Chain<Rational>& chain = entry.structure.chain;
   const auto modes = needs_shapes(options) ? proofs::modes_in_decimals : proofs::forces_in_decimals;
   auto found = modes(chain, wanted(options), options.digits);
@@ -116,31 +118,32 @@ Result compute_plain(NamedStructure& entry, const CriticalOptions& options) {
 }
 
 /// Of a chain with a load that follows it.
-Result compute_follower(NamedStructure& entry, const CriticalOptions& options) {
+Result compute_follower(NamedChain& entry, const CriticalOptions& options) {
   const auto motion = straight_motion(entry.structure);
   const auto loss = proofs::stability_loss(motion, options.digits);
   nlohmann::json certificate;
   if (!options.certify.empty())
-    certificate = proofs::structure_certificate(entry.name, entry.structure, loss, options.digits);
+    certificate = proofs::structure_certificate(entry.name, statement::stated(entry.text, entry.place), loss,
+                                                options.digits);
   return {{std::move(entry.name), std::move(entry.structure), {}, 0, entry.beam, loss},
           std::move(certificate)};
 }
 
 /// Of a chain with other ends and loads than the paper's.
-Result compute_structure(NamedStructure& entry, const CriticalOptions& options) {
+Result compute_structure(NamedChain& entry, const CriticalOptions& options) {
   if (entry.structure.follower()) return compute_follower(entry, options);
   const proofs::StraightStructure straight(entry.structure);
   auto found = straight.in_decimals(wanted(options), options.digits, needs_shapes(options));
   nlohmann::json certificate;
   if (!options.certify.empty())
-    certificate =
-        proofs::structure_certificate(entry.name, entry.structure, straight, wanted(options), options.digits);
+    certificate = proofs::structure_certificate(entry.name, statement::stated(entry.text, entry.place),
+                                                straight, wanted(options), options.digits);
   return {
       {std::move(entry.name), std::move(entry.structure), std::move(found), straight.modes(), entry.beam, {}},
       std::move(certificate)};
 }
 
-Result compute(NamedStructure& entry, const CriticalOptions& options) {
+Result compute(NamedChain& entry, const CriticalOptions& options) {
   require_straight(entry.structure.chain);
   return entry.plain ? compute_plain(entry, options) : compute_structure(entry, options);
 }
@@ -151,45 +154,37 @@ std::string certificates(const std::vector<nlohmann::json>& entries, const char*
   return proofs::certificate_file(format, provenance, entries).dump(1, ' ', true) + "\n";
 }
 
+/// Writes a result in space wherever it is asked for.
+template <class Result>
+void write(const Result& result, const CriticalOptions& options, Outputs& outputs, files::OutputFile* csv,
+           files::OutputFile* json) {
+  if (csv) csv->write(as_csv(result));
+  if (json) json->write(page::json_text(as_json(result, options.digits), outputs.provenance()));
+  outputs.commit();
+  if (!csv && !json) fmt::print("{}", as_text(result));
+}
+
 /// The straight chain in space.
-void run_space(const CriticalOptions& options, const std::string& text, Outputs& outputs,
-               files::OutputFile* csv, files::OutputFile* json, files::OutputFile* certify) {
-  const std::string source = source_of(options), name = name_of(options);
-  const SpaceCase space = parse_space_chain(text, source);
-  if (space.torque) {
+void run_space(const CriticalOptions& options, const std::string& text,
+               const SpaceStructure<Rational>& structure, Outputs& outputs, files::OutputFile* csv,
+               files::OutputFile* json, files::OutputFile* certify) {
+  const std::string name = name_of(options), words = case_of(structure);
+  const std::size_t links = structure.chain.size();
+  if (structure.torque) {
     if (certify) throw Error("--certify", "a torque", "forces: no certificate is made of a torque");
-    const auto found = [&] {
-      try {
-        return proofs::critical_torque(space.chain, space.straight, *space.torque, options.digits);
-      } catch (const Error& error) {
-        throw Error(source + ": " + error.what());
-      }
-    }();
-    const SpaceTorque torque{name, space.words, space.chain.size(), found.value.decimal, found.conservative};
-    if (csv) csv->write(as_csv(torque));
-    if (json) json->write(page::json_text(as_json(torque, options.digits), outputs.provenance()));
-    outputs.commit();
-    if (!csv && !json) fmt::print("{}", as_text(torque));
-    return;
+    const auto found = proofs::critical_torque(structure, options.digits);
+    return write(SpaceTorque{name, words, links, found.value.decimal, found.conservative}, options, outputs,
+                 csv, json);
   }
-  if (!space.axial) throw Error(source, "loads across the chain, which bend it", "loads along x");
-  const proofs::StraightSpace straight = [&] {
-    try {
-      return proofs::StraightSpace(space.chain, space.straight);
-    } catch (const Error& error) {
-      throw Error(source + ": " + error.what());
-    }
-  }();
-  const SpaceModes modes{name, space.words, space.chain.size(), straight.modes(),
+  const proofs::StraightSpace straight(structure);
+  const SpaceModes modes{name, words, links, straight.modes(),
                          straight.in_decimals(wanted(options), options.digits)};
   if (certify)
-    certify->write(certificates({proofs::structure_certificate(name, space.chain, space.straight, straight,
-                                                               wanted(options), options.digits)},
-                                proofs::structure_certificates, outputs.provenance()));
-  if (csv) csv->write(as_csv(modes));
-  if (json) json->write(page::json_text(as_json(modes, options.digits), outputs.provenance()));
-  outputs.commit();
-  if (!csv && !json) fmt::print("{}", as_text(modes));
+    certify->write(
+        certificates({proofs::structure_certificate(name, statement::stated(text, source_of(options)),
+                                                    straight, wanted(options), options.digits)},
+                     proofs::structure_certificates, outputs.provenance()));
+  write(modes, options, outputs, csv, json);
 }
 
 /// Computes every chain of the table, which is used up; what cannot be computed joins its errors.
@@ -223,7 +218,7 @@ bool holds_chains(const std::string& path) {
   std::error_code ignored;
   if (!fs::is_regular_file(path, ignored)) return false;
   if (fs::path(path).extension() == ".toml") return true;
-  return is_table(path) && is_chain_table(files::read_text(path));
+  return is_table(path) && statement::is_chain_table(files::read_text(path));
 }
 
 /// `critical --csv CHAINS.csv` means that file as the chain, not as the output.
@@ -242,10 +237,20 @@ void run(CriticalOptions options, const CLI::App& verb) {
                            *const json = outputs.open("--json", options.json),
                            *const certify = outputs.open("--certify", options.certify);
   const std::string text = read(options), source = source_of(options);
-  if (!options.table && is_space_chain(text, source))
-    return run_space(options, text, outputs, csv, json, certify);
-  ChainTable table =
-      options.table ? parse_chain_table(text, source) : one(name_of(options), parse_structure(text, source));
+  ChainTable table;
+  if (options.table) {
+    table = statement::parse_chain_table(text, source);
+  } else {
+    statement::StatedChain chain = statement::parse_chain(text, source);
+    if (const auto* space = std::get_if<SpaceStructure<Rational>>(&chain)) {
+      try {
+        return run_space(options, text, *space, outputs, csv, json, certify);
+      } catch (const Error& error) {
+        throw Error(source + ": " + error.what());
+      }
+    }
+    table = one(name_of(options), source, text, std::get<statement::PlaneChain>(std::move(chain)));
+  }
   const bool plain = options.table || table.chains.front().plain;
 
   const Results results = compute(table, options);

@@ -1,10 +1,11 @@
 #include "app/critical_report.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
-#include "app/structure_file.hpp"
+#include "app/case_words.hpp"
 #include "proofs/exact/decimal.hpp"
 #include "support/files/csv_file.hpp"
 
@@ -56,10 +57,6 @@ std::string angles(std::size_t number, const proofs::CriticalMode& mode) {
   return text + fmt::format("   Fy {}\n", proofs::to_decimal(mode.fy, 4));
 }
 
-std::string name_of(proofs::Motion motion) {
-  return motion == proofs::Motion::divergence ? "divergence" : "flutter";
-}
-
 /// What the force of a chain of bars says of the rod.
 std::string as_rod(const CriticalModes& result, const std::string& factor) {
   if (!result.beam) return "";
@@ -81,19 +78,94 @@ std::string heading(const CriticalModes& result) {
                      listing(result.data.chain.stiffness()));
 }
 
+/// At the base too where it moves across.
+std::vector<Rational> masses_of(const Structure<Rational>& structure) {
+  std::vector<Rational> masses = structure.masses();
+  if (structure.base.across.is_held()) masses.erase(masses.begin());
+  return masses;
+}
+
+std::string places_of_masses(const Structure<Rational>& structure) {
+  return std::string(structure.base.across.is_held() ? "" : "at the base and ") +
+         "at the far ends of the links" +
+         (structure.mass.empty() ? ": half a link's length at either end of each" : "");
+}
+
+/// A stretch of factors at which the line is stable anew.
+struct Window {
+  const proofs::MotionChange* from;
+  const proofs::MotionChange* to;  ///< none where it has no end
+};
+
+std::vector<Window> windows(const proofs::StabilityLoss& loss) {
+  using proofs::Motion;
+  std::vector<Window> all;
+  Motion below = Motion::stable;
+  for (const proofs::MotionChange& one : loss.changes) {
+    const bool at_least_there = one.at == Motion::divergence || one.at == Motion::flutter;
+    const bool lost = below == Motion::stable && (one.above != Motion::stable || at_least_there);
+    if (lost && !all.empty()) all.back().to = &one;
+    if (one.above == Motion::stable && (lost || below != Motion::stable)) all.push_back({&one, nullptr});
+    below = one.above;
+  }
+  return all;
+}
+
+/// Factors at which two frequencies are equal, the line being stable to either side, and no more is known.
+std::vector<std::string> undecided(const proofs::StabilityLoss& loss) {
+  std::vector<std::string> all;
+  proofs::Motion below = proofs::Motion::stable;
+  for (const proofs::MotionChange& one : loss.changes) {
+    const bool beside = below == proofs::Motion::stable && one.above == proofs::Motion::stable;
+    if (beside && one.at == proofs::Motion::undecided) all.push_back(one.factor);
+    below = one.above;
+  }
+  return all;
+}
+
+std::string proved_text(const proofs::StabilityLoss& loss) {
+  if (!loss.first)
+    return "Proved: stable just below, and not just above. Smaller factors were tried in steps.\n";
+  const auto again = windows(loss);
+  std::string text = again.empty()
+                         ? "Proved: the straight line is stable at every smaller factor, and not above.\n"
+                         : "Proved: the straight line is stable at every smaller factor.\n";
+  for (const Window& window : again) {
+    text += fmt::format("It is stable again above {}", window.from->factor);
+    text += window.to == nullptr
+                ? ".\n"
+                : fmt::format(", up to {} ({}).\n", window.to->factor,
+                              proofs::name_of(window.to->above == proofs::Motion::stable ? window.to->at
+                                                                                         : window.to->above));
+  }
+  if (const auto open = undecided(loss); !open.empty())
+    text += fmt::format("Not decided are single factors with two equal frequencies: {}.\n",
+                        fmt::join(open, ", "));
+  return text;
+}
+
 /// What a structure under a load that follows it does.
 std::string loss_text(const CriticalModes& result) {
   const proofs::StabilityLoss& loss = *result.loss;
   const bool flutter = loss.kind == proofs::Motion::flutter;
   return heading(result) +
-         fmt::format("  masses     {} (at the far ends of the links{})\n\n", listing(masses_of(result.data)),
-                     result.data.mass.empty() ? ": half a link's length at either end of each" : "") +
+         fmt::format("  masses     {} ({})\n\n", listing(masses_of(result.data)),
+                     places_of_masses(result.data)) +
          fmt::format("Critical factor of the loads {}: {}\n", loss.factor,
                      flutter ? "flutter, two frequencies of small motion meet"
                              : "divergence, a frequency of small motion is zero") +
-         as_rod(result, loss.factor) +
-         (loss.first ? "Proved: the straight line is stable at every smaller factor, and not above.\n"
-                     : "Proved: stable a little below and not above. Smaller factors were tried in steps.\n");
+         as_rod(result, loss.factor) + proved_text(loss);
+}
+
+nlohmann::ordered_json as_json(const proofs::StabilityLoss& loss, const Structure<Rational>& structure) {
+  nlohmann::ordered_json masses = nlohmann::ordered_json::array(), again = masses;
+  for (const Rational& mass : masses_of(structure)) masses.push_back(proofs::to_exact(mass));
+  for (const Window& window : windows(loss)) {
+    again.push_back({{"from", window.from->factor}, {"to", nullptr}});
+    if (window.to != nullptr) again.back()["to"] = window.to->factor;
+  }
+  return {{"factor", loss.factor}, {"kind", proofs::name_of(loss.kind)}, {"masses", std::move(masses)},
+          {"first", loss.first},   {"stable_again", std::move(again)},   {"undecided", undecided(loss)}};
 }
 
 }  // namespace
@@ -226,12 +298,7 @@ nlohmann::ordered_json as_json(const std::vector<CriticalModes>& results,
                                  {"case", case_of(result.data)},
                                  {"digits", digits}};
     if (result.loss) {
-      nlohmann::ordered_json masses = nlohmann::ordered_json::array();
-      for (const Rational& mass : masses_of(result.data)) masses.push_back(proofs::to_exact(mass));
-      chain["loss"] = {{"factor", result.loss->factor},
-                       {"kind", name_of(result.loss->kind)},
-                       {"masses", std::move(masses)},
-                       {"first", result.loss->first}};
+      chain["loss"] = as_json(*result.loss, result.data);
     } else {
       chain["modes"] = std::move(modes);
     }

@@ -9,10 +9,10 @@
 
 #include <plumbline/structure/structure.hpp>
 
-#include "app/structure_file.hpp"
 #include "proofs/exact/critical_modes.hpp"
 #include "proofs/exact/follower.hpp"
 #include "proofs/exact/straight_space.hpp"
+#include "statement/beam.hpp"
 
 namespace plumbline::app {
 
@@ -21,7 +21,7 @@ struct CriticalModes {
   Structure<Rational> data;
   std::vector<proofs::CriticalMode> modes;    ///< ascending by force
   std::size_t all = 0;                        ///< modes that there are
-  std::optional<Beam> beam;                   ///< that the chain stands for
+  std::optional<statement::Beam> beam;        ///< that the chain stands for
   std::optional<proofs::StabilityLoss> loss;  ///< instead of modes, where a load follows the chain
 };
 

@@ -2,10 +2,9 @@
 
 #include <filesystem>
 
-#include "app/chain_file.hpp"
+#include "app/case_words.hpp"
 #include "app/model_chain.hpp"
-#include "app/space_file.hpp"
-#include "app/structure_file.hpp"
+#include "statement/chain_file.hpp"
 #include "support/files/printable.hpp"
 #include "support/files/text_file.hpp"
 
@@ -15,6 +14,13 @@ namespace {
 
 const char* const table1_z =
     "lengths = [1, 1, 1, 1]\nstiffness = [1, 1, 1, 1]\nrest = [-0.2417, 0.6821, -0.7958, 0.5170]\n";
+
+NamedModel model_of(const std::string& name, const SpaceStructure<Rational>& structure) {
+  return {name, case_of(structure), bent_structure(from_rational<double>(structure))};
+}
+NamedModel model_of(const std::string& name, const statement::PlaneChain& chain) {
+  return {name, case_of(chain.structure), bent_structure(from_rational<double>(chain.structure))};
+}
 
 }  // namespace
 
@@ -30,7 +36,7 @@ void LoadedChain::add_to(CLI::App& verb) {
 
 void LoadedChain::read() {
   if (path.empty()) {
-    exact = parse_structure(table1_z, name).structure.chain;
+    exact = statement::parse_plane_chain(table1_z, name).structure.chain;
     return;
   }
   const bool piped = files::is_standard_input(path);
@@ -38,18 +44,15 @@ void LoadedChain::read() {
     throw Error(path, "a name that ends otherwise", "CHAIN.toml, or a model: .xml (MJCF), .urdf, .sdf");
   const std::string text = read_chain_text(path), source = files::source_name(path);
   name = piped ? "chain" : files::printable(std::filesystem::path(path).stem().string());
-  if (is_space_chain(text, source)) {
-    const SpaceCase space = parse_space_chain(text, source);
-    other.emplace(NamedModel{name, space.words, bent_structure(space)});
-    return;
+  const statement::StatedChain read = statement::parse_chain(text, source);
+  const auto* plane = std::get_if<statement::PlaneChain>(&read);
+  if (plane != nullptr) {
+    exact = plane->structure.chain;
+    if (plane->plain) return;
+    structure = plane->structure;
   }
-  const NamedStructure read = parse_structure(text, source);
-  exact = read.structure.chain;
-  if (read.plain) return;
-  structure = read.structure;
   try {
-    other.emplace(
-        NamedModel{name, case_of(read.structure), bent_structure(from_rational<double>(read.structure))});
+    other = std::visit([&](const auto& chain) { return model_of(name, chain); }, read);
   } catch (const Error& error) {
     throw Error(source + ": " + error.what());
   }

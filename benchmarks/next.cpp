@@ -88,7 +88,7 @@ std::vector<Run> candidates(const Study& study) {
       Experiment bench = study.experiment();
       bench.runs = {one.run};
       const Prediction nominal = Study(bench).nominal();
-      if (nominal.reached && !nominal.snapped && so_far.allows(nominal.runs[0], shape.rest))
+      if (nominal.reached && !nominal.snapped && so_far.allows(nominal.runs[0], one.run))
         all.push_back(one.run);
     }
   }

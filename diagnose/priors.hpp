@@ -25,12 +25,18 @@ inline constexpr double zero_tolerance = 0.001, axis_tolerance = 0.0003;
 inline constexpr double no_gap = 0.3;
 /// Probability that the cause of a gap is outside of the catalogue.
 inline constexpr double outside = 0.1;
-/// Shares of such gaps that show at a few neighbouring readings alone, in which every reading of a channel is
-/// off by an amount of its own, in which readings are off by one amount from some reading on, and in which
-/// one channel alone is off.
-inline constexpr double local = 0.3, nugget = 0.1, step = 0.1, one_channel = 0.1;
+/// What it typically changes, over what the readings of a channel differ by: scale of a half-Cauchy density.
+/// The shares of its kinds are those of the rows of outside/outside_cause.hpp.
+inline constexpr double typical_outside = 0.1;
+/// So many times the declared noise is no noise any more.
+inline constexpr double scatter = 4;
+/// Share in which every reading of a channel is off by an amount of its own beside whatever is the cause.
+inline constexpr double scatter_beside = 0.1;
 /// Shares of gaps with one cause of the catalogue, two, three.
 inline constexpr std::array<double, 3> causes{0.75, 0.2, 0.01};
+/// Numbers that are stated of every device and sensor, such as stiffnesses, gains and zeros, and may be wrong
+/// beside the cause: so many on average.
+inline constexpr double wrong_beside = 0.4;
 /// Probability that manufacturing tolerances show beside a cause.
 inline constexpr double tolerances_show = 0.2;
 /// An effect that contains a simpler row of the catalogue is so much rarer than others; one of several
@@ -51,20 +57,29 @@ inline constexpr double directional_share = 0.4, own_share = 0.3, rest_share = 0
 /// Scale of the logarithm of true over declared sigma, a Student density of four degrees of freedom; spread
 /// of the half-normal autocorrelation of successive readings.
 inline constexpr double noise_scale_spread = 0.25, correlation_spread = 0.3;
-/// So many readings are outliers: a Cauchy density, so many times as wide as the noise.
-inline constexpr double outlier_share = 0.02, outlier_width = 10;
+/// So many readings are outliers: a Cauchy density, so many times as wide as the noise. The share is known as
+/// from so many readings.
+inline constexpr double outlier_share = 0.02, outlier_width = 10, outlier_evidence = 50;
 /// Probability of each departure from even noise: a run or a segment that is noisier, noise in proportion,
 /// periodic interference.
 inline constexpr double uneven_noise = 0.05;
+
+// ---- A cause in part ----
+
+/// An effect is part of the cause, whichever else acts, where that is as probable as this.
+inline constexpr double part_of_it = 0.9;
+/// Share of the residual of readings that it has not seen which a cause may leave beyond noise and be the
+/// whole cause.
+inline constexpr double whole_cause_leaves = 0.2;
 
 // ---- Losses ----
 
 /// Of a cause that is not among those named, over that of naming one cause more.
 inline constexpr double wrong_over_further_name = 20;
-/// The largest class that helps: beyond it the answer is `unknown`.
+/// The largest class that helps: no more causes are named.
 inline constexpr std::size_t largest_class = 8;
-/// Power of the likelihood where a discrepancy is present: neighbouring readings share it, and odds inflate
-/// with their number.
+/// Power of the evidence where a discrepancy is as large as the noise: neighbouring readings share it, and
+/// odds inflate with their number.
 inline constexpr double temper = 0.25;
 
 }  // namespace plumbline::diagnose::priors

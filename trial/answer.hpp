@@ -21,7 +21,7 @@ struct Report {
     double probability;
   };
 
-  std::string verdict;                               ///< none, identified, ambiguous, unknown
+  std::string verdict;                               ///< none, identified, ambiguous, partial, unknown
   std::vector<std::string> effects;                  ///< the best explanation
   std::vector<std::vector<std::string>> equivalent;  ///< the others of its class
   std::map<std::string, Bounds> bounds;              ///< by "effect key/parameter"

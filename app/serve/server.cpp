@@ -23,6 +23,9 @@ using nlohmann::json;
 
 /// A model and tables of a person; beyond, it is no lab's.
 constexpr std::size_t largest_request = std::size_t{32} << 20, most_files = 200;
+/// Each connection has a thread, and may be silent for a while: so many at once stall nobody.
+constexpr std::size_t most_connections = 256;
+constexpr std::chrono::seconds longest_silence{5};
 
 /// Nothing that anybody could guess.
 std::string new_token() {
@@ -46,10 +49,10 @@ class Page {
  public:
   explicit Page(int port) {
     server_.set_payload_max_length(largest_request);
-    server_.set_read_timeout(std::chrono::seconds(20));
-    server_.set_write_timeout(std::chrono::seconds(20));
+    server_.set_read_timeout(longest_silence);
+    server_.set_write_timeout(longest_silence);
     server_.set_keep_alive_max_count(100);
-    server_.new_task_queue = [] { return new httplib::ThreadPool(8); };
+    server_.new_task_queue = [] { return new httplib::ThreadPool(most_connections); };
     server_.set_socket_options([](socket_t) {});  // by itself it would share a port that is taken
     port_ = port == 0                                 ? server_.bind_to_any_port("127.0.0.1")
             : server_.bind_to_port("127.0.0.1", port) ? port

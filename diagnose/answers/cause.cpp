@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "diagnose/answers/discrepancy_torque.hpp"
 
@@ -24,23 +23,10 @@ Candidate cause_of(const Candidate& candidate) {
   return cause.effects.empty() ? candidate : cause;
 }
 
-double chi2_per_value(const Study& study, const NoiseEstimate& noise, const VectorXd& residual) {
-  const VectorXd sigma = noise.sigma(study.measurements());
-  double sum = 0, count = 0;
-  for (std::size_t i = 0; i < noise.shape.outlier.size(); ++i)
-    if (!noise.shape.outlier[i])
-      sum += std::pow(residual(static_cast<Eigen::Index>(i)) / sigma(static_cast<Eigen::Index>(i)), 2),
-          count += 1;
-  return count > 0 ? sum / count : 1;
-}
-
 std::vector<EffectProbability> by_effect(const Posterior& posterior) {
-  std::map<std::string, double> sums;
-  for (const CauseProbability& cause : posterior.causes)
-    for (const std::string& label : cause.labels) sums[label] += cause.probability;
   constexpr double negligible = 0.01;
   std::vector<EffectProbability> effects;
-  for (const auto& [label, probability] : sums)
+  for (const auto& [label, probability] : posterior.effects)
     if (probability >= negligible) effects.push_back({label, probability});
   std::stable_sort(
       effects.begin(), effects.end(),
@@ -57,6 +43,16 @@ bool leaves_discrepancy(const Findings& findings, const Hypothesis& lead) {
 
 }  // namespace
 
+double chi2_per_value(const Study& study, const NoiseEstimate& noise, const VectorXd& residual) {
+  const VectorXd sigma = noise.sigma(study.measurements());
+  double sum = 0, count = 0;
+  for (std::size_t i = 0; i < noise.shape.outlier.size(); ++i)
+    if (!noise.shape.outlier[i])
+      sum += std::pow(residual(static_cast<Eigen::Index>(i)) / sigma(static_cast<Eigen::Index>(i)), 2),
+          count += 1;
+  return count > 0 ? sum / count : 1;
+}
+
 Cause judge(const Study& study, const Findings& findings, const Posterior& posterior,
             const NoiseEstimate& noise) {
   constexpr std::size_t listed = 10;
@@ -64,6 +60,7 @@ Cause judge(const Study& study, const Findings& findings, const Posterior& poste
   Cause cause;
   cause.verdict = verdict.verdict;
   cause.or_unknown = verdict.or_outside && verdict.verdict == CauseVerdict::ambiguous;
+  cause.too_few_readings = verdict.too_few_readings;
   cause.unknown = posterior.outside;
   cause.effects = by_effect(posterior);
   const std::size_t most = std::max(verdict.named, listed);

@@ -4,6 +4,7 @@
 #include <plumbline/base/error.hpp>
 
 #include "diagnose/answers/implied_shares.hpp"
+#include "diagnose/answers/in_part.hpp"
 #include "diagnose/decision/cross_validation.hpp"
 
 namespace plumbline::diagnose {
@@ -91,8 +92,29 @@ void offer_law_to(const Study& study, Diagnosis& diagnosis) {
   if (unknown && diagnosis.law->shrink) diagnosis.shrink = diagnosis.law->shrink;
 }
 
+/// A cause that is unknown may be known in part; one that is named may be only a part.
+void look_for_parts(const Study& study, const Findings& findings, const Posterior& posterior,
+                    Diagnosis& diagnosis) {
+  Cause& cause = diagnosis.cause;
+  if (cause.verdict == CauseVerdict::identified) {
+    cause.rest =
+        rest_of(cause.ranking.front(), diagnosis.noise, diagnosis.shrink, diagnosis.gap.chi2_per_value);
+    if (cause.rest) cause.verdict = CauseVerdict::partial;
+  } else if (cause.verdict == CauseVerdict::unknown && !diagnosis.fails_to_predict) {
+    std::optional<InPart> found = in_part(study, findings, posterior, diagnosis.noise);
+    if (!found) return;
+    cause.verdict = CauseVerdict::partial;
+    cause.named = 1;
+    cause.rest = std::move(found->rest);
+    std::erase_if(cause.ranking, [&](const RankedCause& one) { return one.cause == found->cause.cause; });
+    cause.ranking.insert(cause.ranking.begin(), std::move(found->cause));
+    diagnosis.shrink = found->shrink;
+  }
+}
+
 void explain(const Study& study, const Findings& findings, const Posterior& posterior, Diagnosis& diagnosis) {
   test_cause(study, findings, diagnosis);
+  look_for_parts(study, findings, posterior, diagnosis);
   const Cause& cause = diagnosis.cause;
   if (cause.verdict == CauseVerdict::unknown || cause.or_unknown) offer_law_to(study, diagnosis);
   diagnosis.not_excited = not_excited(study, findings);

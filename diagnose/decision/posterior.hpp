@@ -3,6 +3,7 @@
 /// Posterior probabilities of causes: of no gap, of each set of effects, and of a cause that the catalogue
 /// does not have.
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -18,19 +19,41 @@ struct CauseProbability {
   std::size_t hypothesis;  ///< its most probable form, by its place in Findings::hypotheses
 };
 
+/// One way in which the readings may have come about.
+struct Way {
+  enum class Of { nothing, listed, outside } of;
+  std::size_t
+      hypothesis;  ///< by its place in Findings::hypotheses; nothing but noise, or a cause outside: none
+  double log_prior;
+  double log_evidence;  ///< marginal likelihood: all that is not known summed out
+  /// Variance of the discrepancy beside it over that of the noise, one at most.
+  double discrepancy;
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+};
+
+/// All of them, the nominal model and noise first.
+///
+/// A hypothesis beside an unknown torque, or a scatter, is of the cause that its effects are where that is as
+/// small as a discrepancy, and of a cause outside of the catalogue where it is not: in proportion to the
+/// priors of its size.
+std::vector<Way> ways(const Study& study, const Findings& findings);
+
 struct Posterior {
   double no_gap = 0;
   double outside = 0;
   std::vector<CauseProbability> causes;  ///< most probable first
-  /// Probability that nothing is left beside the cause, whichever it is.
-  double exact = 1;
-  /// Power at which the likelihood counts: one where nothing is left, priors::temper where something is.
+  /// By label: that an effect is part of the cause, whether or not something outside of the catalogue is too.
+  std::map<std::string, double> effects;
+  /// The hypothesis of the most probable way in which effects of the catalogue act; Way::none without any.
+  std::size_t leading = Way::none;
+  /// Whether nothing but noise near the declared one is left beside the most probable cause of the catalogue.
+  bool leaves_nothing = false;
+  /// Power at which the evidence counts between causes: one where no discrepancy is beside them.
   double temper = 1;
 };
 
-/// A hypothesis beside an unknown torque is of the cause that its effects are where that torque is as small
-/// as a discrepancy, and of a cause outside of the catalogue where it is not: in proportion to the priors of
-/// its size.
+/// Whether there is a gap is decided by the evidence as it is; what its cause is by the evidence to the power
+/// Posterior::temper, since neighbouring readings share a discrepancy.
 Posterior posterior(const Study& study, const Findings& findings);
 
 /// The share of the nominal residual, root mean squares, that a hypothesis leaves to discrepancy and unknown

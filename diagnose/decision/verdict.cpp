@@ -14,6 +14,8 @@ std::string verdict_word(CauseVerdict verdict) {
       return "identified";
     case CauseVerdict::ambiguous:
       return "ambiguous";
+    case CauseVerdict::partial:
+      return "partial";
     case CauseVerdict::unknown:
       break;
   }
@@ -22,11 +24,15 @@ std::string verdict_word(CauseVerdict verdict) {
 
 Verdict decide(const Posterior& posterior) {
   if (posterior.no_gap > 0.5) return {};
-  constexpr double worth_naming = 1 / priors::wrong_over_further_name;
-  Verdict verdict{CauseVerdict::unknown, 0, posterior.outside >= worth_naming};
+  constexpr double ratio = 1 / priors::wrong_over_further_name;
+  Verdict verdict{CauseVerdict::unknown, 0, posterior.outside >= ratio};
   double listed = 0;
   for (const CauseProbability& one : posterior.causes) listed += one.probability;
-  if (posterior.causes.empty() || posterior.outside > listed) return verdict;
+  if (posterior.causes.empty()) return verdict;
+  const bool outside_leads = posterior.outside > listed;
+  if (outside_leads && !posterior.leaves_nothing) return verdict;
+  verdict.too_few_readings = outside_leads;
+  const double worth_naming = ratio * (outside_leads ? listed : 1);
   const std::size_t others = verdict.or_outside ? 1 : 0;
   for (const CauseProbability& one : posterior.causes)
     if (verdict.named == 0 ||

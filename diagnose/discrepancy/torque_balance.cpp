@@ -137,7 +137,13 @@ Experiment as_measured(Experiment experiment, const Prediction& predicted) {
   for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
     for (std::size_t i = 0; i < experiment.runs[r].readings.size(); ++i) {
       const auto row = predicted.runs[r].row(static_cast<Eigen::Index>(i));
-      experiment.runs[r].readings[i].value.assign(row.data(), row.data() + row.size());
+      Reading& reading = experiment.runs[r].readings[i];
+      reading[column_Fx] = row(column_Fx);
+      reading[column_Fy] = row(column_Fy);
+      for (std::size_t j = 0; j < experiment.link_length.size(); ++j) {
+        const Channel angle(Channel::Name::q, j);
+        angle.in(reading) = row(angle.column);
+      }
     }
   }
   return experiment;

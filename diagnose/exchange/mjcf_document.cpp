@@ -1,5 +1,6 @@
 #include "diagnose/exchange/mjcf_document.hpp"
 
+#include <algorithm>
 #include <numbers>
 #include <plumbline/base/error.hpp>
 #include <utility>
@@ -60,6 +61,12 @@ std::string whole_name(const std::filesystem::path& file) {
   return none ? file.string() : whole.string();
 }
 
+/// Whether a file lies in a folder or below it, wherever links lead.
+bool is_within(const std::filesystem::path& file, const std::filesystem::path& folder) {
+  const std::filesystem::path inner = whole_name(file), outer = whole_name(folder.empty() ? "." : folder);
+  return std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first == outer.end();
+}
+
 }  // namespace
 
 MjcfDocument::MjcfDocument(const std::filesystem::path& file) : file_(file.string()) {
@@ -86,6 +93,11 @@ void MjcfDocument::include(xml_node parent, const std::filesystem::path& folder,
     if (*child.attribute("file").value() == '\0')
       throw Error(place_of(file_, child), "no file", "the name of one");
     const std::filesystem::path other_file = folder / child.attribute("file").value();
+    if (!is_within(other_file, folder))
+      throw Error(place_of(file_, child),
+                  "the included file " + files::shown(child.attribute("file").value()) +
+                      ", which is not in the model's folder",
+                  "files in that folder or below it");
     if (!included.insert(whole_name(other_file)).second)
       throw Error(file_, files::shown(other_file.string()) + " included twice", "each file once");
     pugi::xml_document other;

@@ -47,7 +47,7 @@ void parse(const std::filesystem::path& file, pugi::xml_document& document) {
   const auto read = document.load_buffer(text.data(), text.size(), pugi::parse_full, pugi::encoding_utf8);
   if (!read) {
     const auto line = 1 + std::count(text.begin(), text.begin() + read.offset, '\n');
-    throw Error(fmt::format("{}:{}", file.string(), line), read.description(), "XML");
+    throw Error(fmt::format("{}:{}", file.string(), line), "text that is not XML", "XML");
   }
   refuse_entities(document, file.string());
   Depth depth(file.string());

@@ -7,6 +7,8 @@
 #include <limits>
 #include <numbers>
 
+#include "diagnose/bench/median.hpp"
+
 namespace plumbline::diagnose {
 namespace {
 
@@ -30,21 +32,28 @@ MatrixXd products(const MatrixXd& tall, const MatrixXd& few) {
   return result;
 }
 
-}  // namespace
-
-double log_sum(const VectorXd& v) {
-  const double most = v.maxCoeff();
-  if (!std::isfinite(most)) return most;
-  return most + std::log((v.array() - most).exp().sum());
+/// Half of the noise by which neighbours differ.
+double quiet_neighbours(const Measurements& measurements, const Block& block, const VectorXd& nominal,
+                        const std::vector<Eigen::Index>& kept) {
+  std::vector<double> steps;
+  for (std::size_t j = 1; j < kept.size(); ++j) {
+    const auto run = [&](std::size_t k) {
+      return measurements.places()[static_cast<std::size_t>(block.first + kept[k])].run;
+    };
+    if (run(j) == run(j - 1)) steps.push_back(nominal(kept[j]) - nominal(kept[j - 1]));
+  }
+  return steps.empty() ? 1 : 0.5 * median_deviation(std::move(steps)) / std::numbers::sqrt2;
 }
+
+}  // namespace
 
 BlockLikelihood::BlockLikelihood(const Measurements& measurements, const Block& block,
                                  const CommandStates& states, const Hyperpriors& priors,
-                                 const NoiseShape& shape, double unit)
+                                 const NoiseShape& shape, const VectorXd& nominal, double unit)
     : priors_(priors), unit_(unit) {
   for (Eigen::Index i = 0; i < block.count; ++i)
     if (!shape.outlier[static_cast<std::size_t>(block.first + i)]) kept_.push_back(i);
-  lay_grid(unit);
+  lay_grid(measurements, block, nominal);
   const bool flexible = priors.amplitude.size() > 1;
   const DiscrepancyBasis basis = flexible ? discrepancy_basis(states, measurements, block, priors.length)
                                           : DiscrepancyBasis{MatrixXd(block.count, 0), {MatrixXd(0, 0)}};
@@ -58,34 +67,26 @@ BlockLikelihood::BlockLikelihood(const Measurements& measurements, const Block& 
   }
 }
 
-void BlockLikelihood::lay_grid(double unit) {
+void BlockLikelihood::lay_grid(const Measurements& measurements, const Block& block,
+                               const VectorXd& nominal) {
   constexpr double step = 1.25;
-  constexpr int fewest = 10, most = 24;
-  // From well below the declared noise to the whole residual.
-  const double low = 0.25, high = std::max(4.0, 1.3 * unit);
+  constexpr int fewest = 10, most = 30;
+  // From below the declared noise, and below what neighbours differ by, to the whole residual.
+  const double low = std::clamp(quiet_neighbours(measurements, block, nominal, kept_), 0.02, 0.25),
+               high = std::max(4.0, 1.3 * unit_);
   const int steps =
       std::clamp(static_cast<int>(std::ceil(std::log(high / low) / std::log(step))), fewest, most);
-  VectorXd prior(steps + 1);
   for (int k = 0; k <= steps; ++k) {
     const double log_scale = std::log(low) + std::log(high / low) * k / steps;
-    scale_.push_back(std::exp(log_scale));
-    prior(k) = log_scale_prior(log_scale);
+    scales_.scale.push_back(std::exp(log_scale));
+    scales_.log_prior.push_back(log_scale_prior(log_scale));
   }
-  const double norm = log_sum(prior);
-  for (int k = 0; k <= steps; ++k) log_scale_.push_back(prior(k) - norm);
-  log_nugget_.setConstant(steps + 1, -std::numeric_limits<double>::infinity());
-  nugget_size_.setZero(steps + 1);
-  const auto larger = std::count_if(scale_.begin(), scale_.end(), [](double s) { return s >= 1; });
-  for (int k = 0; k <= steps; ++k) {
-    const double scale = scale_[static_cast<std::size_t>(k)];
-    if (scale < 1) continue;
-    log_nugget_(k) = -std::log(static_cast<double>(larger)) - log_scale_[static_cast<std::size_t>(k)];
-    nugget_size_(k) = std::sqrt(scale * scale - 1);
-  }
-  const std::size_t scales = scale_.size();
+  const double norm = log_sum(scales_.log_prior);
+  for (double& one : scales_.log_prior) one -= norm;
+  const std::size_t scales = scales_.scale.size();
   inverse_square_.resize(static_cast<Eigen::Index>(priors_.amplitude.size() * scales));
   for (Eigen::Index cell = 0; cell < inverse_square_.size(); ++cell)
-    inverse_square_(cell) = std::pow(scale_[static_cast<std::size_t>(cell) % scales], -2);
+    inverse_square_(cell) = std::pow(scales_.scale[static_cast<std::size_t>(cell) % scales], -2);
 }
 
 BlockLikelihood::Whitening BlockLikelihood::whitening(const Measurements& measurements, const Block& block,
@@ -107,7 +108,7 @@ BlockLikelihood::Whitening BlockLikelihood::whitening(const Measurements& measur
     if (j > 0) {
       const Eigen::Index last = block.first + kept_[static_cast<std::size_t>(j - 1)];
       const ReadingPlace& there = measurements.places()[static_cast<std::size_t>(last)];
-      if (there.run == here.run)
+      if (there.run == here.run && measurements.has_clock(here.run))
         rho = std::pow(noise.correlation, static_cast<double>(here.reading - there.reading));
       before = shape.relative(last);
     }
@@ -147,14 +148,14 @@ BlockLikelihood::Rotation BlockLikelihood::rotation(const Whitening& noise, cons
   result.inverse.resize(inverse_square_.size(), result.variance.size());
   result.constant.resize(inverse_square_.size());
   for (std::size_t a = 0; a < priors_.amplitude.size(); ++a)
-    for (std::size_t s = 0; s < scale_.size(); ++s) {
-      const auto cell = static_cast<Eigen::Index>(a * scale_.size() + s);
-      const double square = scale_[s] * scale_[s], size = priors_.amplitude[a] * unit;
+    for (std::size_t s = 0; s < scales_.scale.size(); ++s) {
+      const auto cell = static_cast<Eigen::Index>(a * scales_.scale.size() + s);
+      const double square = scales_.scale[s] * scales_.scale[s], size = priors_.amplitude[a] * unit;
       const Eigen::ArrayXd d = size * size * result.variance.array() + square;
       result.inverse.row(cell) = (d.inverse() - 1 / square).matrix().transpose();
       result.constant(cell) = -0.5 * (d.log().sum() + (n - axes) * std::log(square) + noise.log_det +
                                       n * std::log(2 * std::numbers::pi)) +
-                              log_scale_[s] + noise.log_prior -
+                              scales_.log_prior[s] + noise.log_prior -
                               std::log(static_cast<double>(priors_.length.size()));
     }
   return result;
@@ -170,7 +171,7 @@ MatrixXd BlockLikelihood::whiten(const Whitening& noise, const MatrixXd& columns
 
 BlockLikelihood::Look BlockLikelihood::look(const MatrixXd& columns) const {
   const MatrixXd values = kept(columns);
-  const auto scales = static_cast<Eigen::Index>(scale_.size());
+  const auto scales = static_cast<Eigen::Index>(scales_.scale.size());
   Look result;
   for (std::size_t k = 0; k < noise_.size(); ++k) {
     const MatrixXd white = whiten(noise_[k], values), spanned = products(noise_[k].span, white);
@@ -192,15 +193,17 @@ BlockLikelihood::Look BlockLikelihood::look(const MatrixXd& columns) const {
       for (const VectorXd& cells : by_length)
         parts.row(next++) = cells.segment(static_cast<Eigen::Index>(amplitude) * scales, scales).transpose();
     VectorXd sums(scales);
-    for (Eigen::Index s = 0; s < scales; ++s) sums(s) = log_sum(parts.col(s));
+    for (Eigen::Index s = 0; s < scales; ++s) sums(s) = log_sum(VectorXd(parts.col(s)));
     return sums;
   };
-  for (std::size_t a = 0; a < priors_.amplitude.size(); ++a)
-    result.log_by_amplitude.push_back(log_sum(by_scale(a)));
-  const VectorXd nugget = by_scale(0) + log_nugget_;
-  const double all = log_sum(nugget);
-  result.log_nugget = all - result.log_by_amplitude.front();
-  result.nugget_size = (nugget.array() - all).exp().matrix().dot(nugget_size_);
+  for (std::size_t a = 0; a < priors_.amplitude.size(); ++a) {
+    const VectorXd parts = by_scale(a);
+    if (a == 0) result.log_by_scale = parts;
+    result.log_by_amplitude.push_back(log_sum(parts));
+    const double quiet =
+        (parts.array() - result.log_by_amplitude.back()).exp().matrix().dot(inverse_square_.head(scales));
+    result.discrepancy.push_back(std::min(1.0, std::pow(priors_.amplitude[a] * unit_, 2) * quiet));
+  }
   return result;
 }
 
@@ -210,7 +213,7 @@ void BlockLikelihood::for_each_cell(const Look& look, const std::vector<double>&
   for (std::size_t k = 0; k < noise_.size(); ++k)
     for (std::size_t l = 0; l < rotation_[k].size(); ++l)
       for (Eigen::Index cell = 0; cell < inverse_square_.size(); ++cell) {
-        const std::size_t a = static_cast<std::size_t>(cell) / scale_.size();
+        const std::size_t a = static_cast<std::size_t>(cell) / scales_.scale.size();
         visit(k, l, cell, look.log_cell[k][l](cell) - look.log_by_amplitude[a] + log_amplitude[a]);
       }
 }
@@ -254,7 +257,7 @@ BlockLikelihood::Split BlockLikelihood::split(const Look& look,
   for_each_cell(look, log_amplitude, [&](std::size_t k, std::size_t l, Eigen::Index cell, double log_p) {
     const double p = std::exp(log_p);
     if (p < 1e-12) return;
-    log_scale += p * std::log(scale_[static_cast<std::size_t>(cell) % scale_.size()]);
+    log_scale += p * std::log(scales_.scale[static_cast<std::size_t>(cell) % scales_.scale.size()]);
     result.correlation += p * noise_[k].correlation;
     result.length += p * priors_.length[l];
     share[k][l] += p * shrunk(rotation_[k][l], cell);
@@ -276,18 +279,46 @@ BlockLikelihood::Split BlockLikelihood::most_probable(const Look& look,
   });
   const Rotation& one = rotation_[best_k][best_l];
   return {one.back * shrunk(one, best).cwiseProduct(look.rotated[best_k][best_l].col(0)),
-          scale_[static_cast<std::size_t>(best) % scale_.size()], noise_[best_k].correlation,
+          scales_.scale[static_cast<std::size_t>(best) % scales_.scale.size()], noise_[best_k].correlation,
           priors_.length[best_l]};
 }
 
-VectorXd BlockLikelihood::log_steps(const VectorXd& residual, const std::vector<Eigen::Index>& end) const {
+namespace {
+
+/// Widths of the heights of steps, from small beside the unit to what one at the end of a run has, with their
+/// prior.
+struct Widths {
+  std::vector<double> precision, log_prior;
+
+  Widths(double unit, double typical) {
+    constexpr int widths = 8;
+    for (int k = 0; k < widths; ++k) {
+      const double width = 0.04 * unit * std::exp2(k);
+      precision.push_back(1 / (width * width));
+      log_prior.push_back(log_size_prior(width / typical));
+    }
+  }
+  /// Log Bayes factor of a step over none.
+  [[nodiscard]] double gain(double along, double information) const {
+    std::vector<double> terms;
+    for (std::size_t k = 0; k < precision.size(); ++k)
+      terms.push_back(log_prior[k] + 0.5 * along * along / (information + precision[k]) -
+                      0.5 * std::log1p(information / precision[k]));
+    return log_sum(terms);
+  }
+};
+
+}  // namespace
+
+VectorXd BlockLikelihood::log_steps(const VectorXd& residual, const std::vector<Eigen::Index>& end,
+                                    double typical) const {
   const auto number = [&](Eigen::Index value) {  // of the first value from there on that is kept
     return std::lower_bound(kept_.begin(), kept_.end(), value) - kept_.begin();
   };
   const Look here = look(residual);
-  const double prior = std::pow(2 * unit_, -2),
-               lengths = std::log(static_cast<double>(priors_.length.size()));
-  const auto scales = static_cast<Eigen::Index>(scale_.size()), values = residual.size();
+  const Widths widths(unit_, typical);
+  const double lengths = std::log(static_cast<double>(priors_.length.size()));
+  const auto scales = static_cast<Eigen::Index>(scales_.scale.size()), values = residual.size();
   MatrixXd parts(static_cast<Eigen::Index>(noise_.size()) * scales, values);
   for (std::size_t k = 0; k < noise_.size(); ++k) {
     // Sums over all later values of what a step that has begun is whitened to.
@@ -305,16 +336,15 @@ VectorXd BlockLikelihood::log_steps(const VectorXd& residual, const std::vector<
         length = std::pow(noise_[k].own(from), 2) + square(from + 1) - square(to);
       }
       for (Eigen::Index s = 0; s < scales; ++s) {
-        const double precision = inverse_square_(s), information = length * precision;
+        const double precision = inverse_square_(s);
         parts(static_cast<Eigen::Index>(k) * scales + s, v) =
             here.log_cell[k].front()(s) + lengths - here.log_by_amplitude.front() +
-            0.5 * std::pow(along * precision, 2) / (information + prior) -
-            0.5 * std::log1p(information / prior);
+            widths.gain(along * precision, length * precision);
       }
     }
   }
   VectorXd result(values);
-  for (Eigen::Index v = 0; v < values; ++v) result(v) = log_sum(parts.col(v));
+  for (Eigen::Index v = 0; v < values; ++v) result(v) = log_sum(VectorXd(parts.col(v)));
   return result;
 }
 

@@ -11,23 +11,31 @@
 
 #include "diagnose/discrepancy/kernel.hpp"
 #include "diagnose/inference/hyperpriors.hpp"
+#include "diagnose/log_sum.hpp"
 #include "diagnose/noise/noise_shape.hpp"
 
 namespace plumbline::diagnose {
 
+/// Scales of the noise over the declared one, and the logarithms of their prior probabilities.
+struct ScaleGrid {
+  std::vector<double> scale, log_prior;
+};
+
 class BlockLikelihood {
  public:
-  /// \param unit  u: root mean square of the nominal residual, declared sigmas
+  /// \param nominal  residual of the block by the nominal model, declared sigmas
+  /// \param unit     u: its root mean square
   BlockLikelihood(const Measurements& measurements, const Block& block, const CommandStates& states,
-                  const Hyperpriors& priors, const NoiseShape& shape, double unit);
+                  const Hyperpriors& priors, const NoiseShape& shape, const VectorXd& nominal, double unit);
+
+  [[nodiscard]] const ScaleGrid& scales() const { return scales_; }
 
   /// What the grid says of one residual and its derivatives.
   struct Look {
     std::vector<double> log_by_amplitude;  ///< log likelihood, all else summed out
-    /// Logarithm of the likelihood with a nugget over that with noise alone: its scale is one or larger, any
-    /// order of magnitude as probable.
-    double log_nugget = 0;
-    double nugget_size = 0;                       ///< posterior mean of its size, declared sigmas
+    VectorXd log_by_scale;                 ///< the same by the scale of the noise, without a discrepancy
+    /// By amplitude: variance of the discrepancy over that of the noise, one at most.
+    std::vector<double> discrepancy;
     std::vector<std::vector<VectorXd>> log_cell;  ///< [correlation][length]: by amplitude and scale
     std::vector<MatrixXd> square;                 ///< [correlation]: whitened products
     std::vector<std::vector<MatrixXd>> rotated;   ///< [correlation][length]
@@ -50,9 +58,11 @@ class BlockLikelihood {
   [[nodiscard]] Split most_probable(const Look& look, const std::vector<double>& log_amplitude) const;
 
   /// By value, the logarithm of the Bayes factor of a step that begins there over none, both with noise
-  /// alone. Its height is Gaussian about zero, twice the unit wide.
-  /// \param end  by value, one past the last value that such a step reaches
-  [[nodiscard]] VectorXd log_steps(const VectorXd& residual, const std::vector<Eigen::Index>& end) const;
+  /// alone. Its height is Gaussian about zero, with a width of the half-Cauchy prior.
+  /// \param end      by value, one past the last value that such a step reaches
+  /// \param typical  scale of that prior, declared sigmas
+  [[nodiscard]] VectorXd log_steps(const VectorXd& residual, const std::vector<Eigen::Index>& end,
+                                   double typical) const;
 
   /// Leaves out correlations that are negligible at this residual.
   void prune(const VectorXd& residual);
@@ -74,7 +84,7 @@ class BlockLikelihood {
     VectorXd constant;  ///< by cell: what does not depend on the residual
   };
 
-  void lay_grid(double unit);
+  void lay_grid(const Measurements& measurements, const Block& block, const VectorXd& nominal);
   [[nodiscard]] Whitening whitening(const Measurements& measurements, const Block& block,
                                     const NoiseShape& shape, std::size_t correlation) const;
   [[nodiscard]] Rotation rotation(const Whitening& noise, const MatrixXd& triangle, const MatrixXd& phi,
@@ -89,15 +99,10 @@ class BlockLikelihood {
   const Hyperpriors& priors_;
   double unit_;
   std::vector<Eigen::Index> kept_;  ///< values that are no outliers
-  std::vector<double> scale_, log_scale_;
-  VectorXd log_nugget_;      ///< by scale: prior of the scale with a nugget over that of noise alone
-  VectorXd nugget_size_;     ///< by scale, declared sigmas
+  ScaleGrid scales_;
   VectorXd inverse_square_;  ///< by cell: 1 / s^2
   std::vector<Whitening> noise_;
   std::vector<std::vector<Rotation>> rotation_;  ///< [correlation][length]
 };
-
-/// log(sum(exp(v)))
-double log_sum(const VectorXd& v);
 
 }  // namespace plumbline::diagnose

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "diagnose/priors.hpp"
 
@@ -20,17 +21,15 @@ double small(double size) {
 Hyperpriors full_model() {
   Hyperpriors p;
   p.amplitude = {0, 0.01, 0.02, 0.04, 0.08, 0.16, 0.32, 0.64, 1.28};
-  // Beside a cause any order of magnitude is as probable, with an exponential end; where the cause is outside
-  // of the catalogue any size is.
-  double beside = 0, outside = 0;
-  for (const double a : p.amplitude) beside += small(a), outside += a;
-  for (const double a : p.amplitude) {
+  // Beside a cause any order of magnitude is as probable, with an exponential end.
+  double beside = 0;
+  for (const double a : p.amplitude) beside += small(a);
+  for (const double a : p.amplitude)
     p.log_amplitude.push_back(a == 0 ? std::log(priors::exact_model)
                                      : std::log((1 - priors::exact_model) * small(a) / beside));
-    p.log_amplitude_outside.push_back(a == 0 ? impossible : std::log(a / outside));
-  }
+  p.set_outside(1);
   p.length = {0.15, 0.4, 1.0};
-  p.correlation = {0, 0.35, 0.65, 0.85};
+  p.correlation = {0, 0.35, 0.65, 0.85, 0.95};
   double sum = 0;
   for (const double rho : p.correlation) {
     p.log_correlation.push_back(-std::pow(rho / priors::correlation_spread, 2) / 2);
@@ -47,14 +46,24 @@ Hyperpriors noise_alone() {
 }
 
 Hyperpriors white_noise_alone() {
-  return {{0}, {0}, {impossible}, {1}, {0}, {0}};
+  return {{0}, {0}, {impossible}, 1, {1}, {0}, {0}};
+}
+
+void Hyperpriors::set_outside(double typical_size) {
+  typical = typical_size;
+  log_amplitude_outside.clear();
+  for (const double a : amplitude)
+    log_amplitude_outside.push_back(a == 0 ? impossible : log_size_prior(a / typical));
 }
 
 double Hyperpriors::log_odds_of_listed(double size) const {
-  // The constants of both densities, from the first size that is none.
-  const double first = amplitude[1], log_small = log_amplitude[1] - std::log(small(first)),
-               log_any = log_amplitude_outside[1] - std::log(first);
-  return log_small - size / priors::discrepancy_scale - log_any - std::log(size);
+  // The constant of the density, from the first size that is none.
+  const double first = amplitude[1], log_small = log_amplitude[1] - std::log(small(first));
+  return log_small - size / priors::discrepancy_scale - log_size_prior(size / typical);
+}
+
+double log_size_prior(double size) {
+  return std::log(2 * std::numbers::ln2 / std::numbers::pi * size / (1 + size * size));
 }
 
 double log_scale_prior(double log_scale) {

@@ -103,15 +103,15 @@ void weigh(const Study& study, Hypothesis& h) {
     h.volume.density += unit.array().log().sum();
   }
   h.log_prior = log_prior(study, h.candidate);
-  h.log_evidence = h.log_prior + h.look.log_likelihood + h.volume.log_at(1);
+  h.log_evidence = h.log_prior + h.look.log_likelihood + h.volume.log();
 }
 
 }  // namespace
 
-double Volume::log_at(double temper) const {
+double Volume::log() const {
   double sum = 0;
-  for (const double precision : precisions) sum -= 0.5 * std::log1p(temper * precision);
-  for (const double slope : slopes) sum -= std::log1p(temper * slope);
+  for (const double precision : precisions) sum -= 0.5 * std::log1p(precision);
+  for (const double slope : slopes) sum -= std::log1p(slope);
   return density + sum;
 }
 

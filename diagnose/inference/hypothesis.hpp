@@ -16,8 +16,7 @@ struct Volume {
   /// Of parameters at a bound, beyond which they would go: slopes of the log likelihood, over the prior
   /// density.
   std::vector<double> slopes;
-  /// Its logarithm where the likelihood counts to this power.
-  [[nodiscard]] double log_at(double temper) const;
+  [[nodiscard]] double log() const;
 };
 
 struct Hypothesis {

@@ -2,17 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <limits>
-#include <map>
-#include <numbers>
 
 #include "diagnose/priors.hpp"
 
 namespace plumbline::diagnose {
 namespace {
-
-using priors::outlier_share, priors::outlier_width;
 
 double root_mean_square(const VectorXd& residual, Eigen::Index first, Eigen::Index values,
                         const NoiseShape& shape) {
@@ -31,41 +25,32 @@ VectorXd weights(const NoiseShape& shape) {
   return weight;
 }
 
-VectorXd as_vector(const std::vector<double>& values) {
-  return Eigen::Map<const VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
-}
-
-/// By value of a block, one past the last value of its run; of the block where all runs are one session.
-std::vector<Eigen::Index> ends_of_runs(const Measurements& measurements, const Block& block,
-                                       bool one_session) {
-  const auto run_of = [&](Eigen::Index value) {
-    return measurements.places()[static_cast<std::size_t>(block.first + value)].run;
-  };
-  std::vector<Eigen::Index> end(static_cast<std::size_t>(block.count), block.count);
-  for (Eigen::Index value = block.count - 2; value >= 0 && !one_session; --value)
-    end[static_cast<std::size_t>(value)] =
-        run_of(value) == run_of(value + 1) ? end[static_cast<std::size_t>(value + 1)] : value + 1;
-  return end;
+/// What a cause outside of the catalogue typically changes: a tenth of what the readings of a channel differ
+/// by among themselves.
+double typical_of(const Measurements& measurements, const Block& block) {
+  const VectorXd readings = measurements.value().segment(block.first, block.count);
+  const VectorXd sigma = measurements.sigma().segment(block.first, block.count);
+  const VectorXd spread = (readings.array() - readings.mean()) / sigma.array();
+  return std::max(
+      1.0, priors::typical_outside * std::sqrt(spread.squaredNorm() / static_cast<double>(block.count)));
 }
 
 }  // namespace
 
-double log_outlier(double distance) {
-  return std::log(outlier_share / (outlier_width * std::numbers::pi)) -
-         std::log1p(std::pow(distance / outlier_width, 2));
-}
-
-double log_inlier(double distance) {
-  return std::log((1 - outlier_share) / std::sqrt(2 * std::numbers::pi)) - distance * distance / 2;
-}
-
 std::vector<double> log_posterior(const std::vector<double>& log_likelihood,
                                   const std::vector<double>& log_prior) {
-  std::vector<double> joint(log_likelihood.size());
-  for (std::size_t a = 0; a < joint.size(); ++a) joint[a] = log_likelihood[a] + log_prior[a];
-  const double all = log_sum(as_vector(joint));
+  std::vector<double> joint = sum(log_likelihood, log_prior);
+  const double all = log_sum(joint);
   for (double& one : joint) one -= all;
   return joint;
+}
+
+double expected(const std::vector<double>& log_likelihood, const std::vector<double>& log_prior,
+                const std::vector<double>& values) {
+  const std::vector<double> posterior = log_posterior(log_likelihood, log_prior);
+  double mean = 0;
+  for (std::size_t a = 0; a < values.size(); ++a) mean += std::exp(posterior[a]) * values[a];
+  return mean;
 }
 
 Likelihood::Likelihood(const Measurements& measurements, const CommandStates& states,
@@ -74,11 +59,25 @@ Likelihood::Likelihood(const Measurements& measurements, const CommandStates& st
       states_(states),
       priors_(priors),
       shape_(std::move(shape)),
+      nominal_residual_(nominal_residual),
       nominal_size_(root_mean_square(nominal_residual, 0, nominal_residual.size(), shape_)) {
+  double log_typical = 0;
+  for (const Block& block : measurements.blocks()) {
+    typical_.push_back(typical_of(measurements, block));
+    const double unit = root_mean_square(nominal_residual, block.first, block.count, shape_);
+    log_typical += static_cast<double>(block.count) * std::log(typical_.back() / unit);
+  }
+  priors_.set_outside(
+      std::exp(log_typical / static_cast<double>(std::max<std::size_t>(1, measurements.size()))));
   for (const Block& block : measurements.blocks())
     blocks_.emplace_back(measurements, block, states, priors_, shape_,
+                         nominal_residual.segment(block.first, block.count),
                          root_mean_square(nominal_residual, block.first, block.count, shape_));
   if (shape_.periodic.cols() > 0) periodic_.compute(weights(shape_).asDiagonal() * shape_.periodic);
+}
+
+std::unique_ptr<Likelihood> Likelihood::of_noise_alone() const {
+  return std::make_unique<Likelihood>(measurements_, states_, noise_alone(), shape_, nominal_residual_);
 }
 
 VectorXd Likelihood::periodic_part(const VectorXd& values) const {
@@ -100,10 +99,9 @@ std::vector<BlockLikelihood::Look> Likelihood::look_at_blocks(const VectorXd& re
 }
 
 std::vector<double> Likelihood::together(const std::vector<BlockLikelihood::Look>& blocks) const {
-  std::vector<double> sum(priors_.amplitude.size(), 0.0);
-  for (const BlockLikelihood::Look& one : blocks)
-    for (std::size_t a = 0; a < sum.size(); ++a) sum[a] += one.log_by_amplitude[a];
-  return sum;
+  std::vector<double> all(priors_.amplitude.size(), 0.0);
+  for (const BlockLikelihood::Look& one : blocks) all = sum(all, one.log_by_amplitude);
+  return all;
 }
 
 /// Readings that are marked stand apart from their block: each has a density of its own about the discrepancy
@@ -118,51 +116,41 @@ void Likelihood::add_marked(const std::vector<BlockLikelihood::Split>& at, const
     sigma.segment(block.first, block.count) *= at[b].scale;
   }
   left -= periodic_part(left);
+  const OutlierModel outliers = shape_.outliers();
   double sum = 0;
   for (Eigen::Index row = 0; row < left.size(); ++row) {
     if (!shape_.outlier[static_cast<std::size_t>(row)]) {
-      sum += std::log(1 - outlier_share);
+      sum += std::log(1 - outliers.share);
       continue;
     }
     const double z = left(row) / sigma(row);
-    const double density = log_sum(Eigen::Vector2d(log_outlier(z), log_inlier(z)));
+    const double density = outliers.log_density(z);
     sum += density - std::log(sigma(row) * measurements_.sigma()(row));
     if (jacobian.cols() == 0) continue;
-    const double inlier = std::exp(log_inlier(z) - density);
-    const double curvature = inlier + (1 - inlier) * 2 / (outlier_width * outlier_width + z * z);
+    const double inlier = std::exp(outliers.log_inlier(z) - density);
+    const double curvature =
+        inlier + (1 - inlier) * 2 / (priors::outlier_width * priors::outlier_width + z * z);
     const VectorXd slope = jacobian.row(row).transpose() / sigma(row);
     look.gradient -= curvature * z * slope;
     look.information += curvature * slope * slope.transpose();
   }
   look.log_likelihood += sum;
   for (double& one : look.log_by_amplitude) one += sum;
-  look.log_nugget += sum;
-  look.log_one_channel += sum;
-}
-
-double Likelihood::log_outside(const std::vector<double>& by_amplitude) const {
-  return log_sum(as_vector(by_amplitude) + as_vector(priors_.log_amplitude_outside));
 }
 
 Look Likelihood::look(const VectorXd& residual, const MatrixXd& jacobian) const {
   const std::vector<BlockLikelihood::Look> blocks = look_at_blocks(residual, jacobian);
   Look result;
   result.log_by_amplitude = together(blocks);
-  std::vector<double> nugget;
-  for (const BlockLikelihood::Look& one : blocks) nugget.push_back(one.log_nugget);
-  const double any = log_sum(as_vector(nugget));
-  result.log_nugget = result.log_by_amplitude.front() + any - std::log(static_cast<double>(nugget.size()));
-  for (const BlockLikelihood::Look& one : blocks)
-    result.nugget_size += std::exp(one.log_nugget - any) * one.nugget_size / nominal_size_;
-  std::vector<double> alone;
-  for (const BlockLikelihood::Look& one : blocks)
-    alone.push_back(log_outside(one.log_by_amplitude) - one.log_by_amplitude.front());
-  result.log_one_channel = result.log_by_amplitude.front() + log_sum(as_vector(alone)) -
-                           std::log(static_cast<double>(alone.size()));
-  std::vector<double> joint(result.log_by_amplitude.size());
-  for (std::size_t a = 0; a < joint.size(); ++a)
-    joint[a] = result.log_by_amplitude[a] + priors_.log_amplitude[a];
-  result.log_likelihood = log_sum(as_vector(joint));
+  result.log_likelihood = log_sum(sum(result.log_by_amplitude, priors_.log_amplitude));
+  result.discrepancy.assign(priors_.amplitude.size(), 0.0);
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    result.channels.push_back({blocks[b].log_by_amplitude, blocks[b].log_by_scale, blocks[b].discrepancy});
+    const double share =
+        static_cast<double>(measurements_.blocks()[b].count) / static_cast<double>(measurements_.size());
+    for (std::size_t a = 0; a < result.discrepancy.size(); ++a)
+      result.discrepancy[a] += share * blocks[b].discrepancy[a];
+  }
   const std::vector<double> posterior = log_posterior(result.log_by_amplitude, priors_.log_amplitude);
   result.gradient = VectorXd::Zero(jacobian.cols());
   result.information = MatrixXd::Zero(jacobian.cols(), jacobian.cols());
@@ -187,34 +175,6 @@ Decomposition Likelihood::decompose(const VectorXd& residual) const {
   }
   result.periodic = periodic_part(residual - result.delta);
   return result;
-}
-
-double Likelihood::log_step(const VectorXd& residual) const {
-  const auto place_of = [&](Eigen::Index row) {
-    const ReadingPlace& at = measurements_.places()[static_cast<std::size_t>(row)];
-    return std::pair(at.run, at.reading);
-  };
-  std::map<std::pair<std::size_t, std::size_t>, double> factor;  // by run and reading, of a step there
-  for (Eigen::Index row = 0; row < residual.size(); ++row) factor.emplace(place_of(row), 0.0);
-  for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    const Block& block = measurements_.blocks()[b];
-    const VectorXd own = blocks_[b].log_steps(residual.segment(block.first, block.count),
-                                              ends_of_runs(measurements_, block, states_.one_session));
-    Eigen::Index value = 0;
-    for (auto& [place, sum] : factor) {
-      while (value < block.count && place_of(block.first + value) < place) ++value;
-      const bool reaches =
-          value < block.count && (states_.one_session || place_of(block.first + value).first == place.first);
-      sum += log_sum(Eigen::Vector2d(reaches ? own(value) : 0, 0)) - std::log(2.0);
-    }
-  }
-  std::vector<double> steps;
-  for (auto step = std::next(factor.begin()); step != factor.end(); ++step)
-    if (states_.one_session || std::prev(step)->first.first == step->first.first)
-      steps.push_back(step->second);
-  if (steps.empty()) return -std::numeric_limits<double>::infinity();
-  return look(residual).log_by_amplitude.front() + log_sum(as_vector(steps)) -
-         std::log(static_cast<double>(steps.size()));
 }
 
 void Likelihood::prune(const VectorXd& residual) {

@@ -4,11 +4,19 @@
 /// discrepancy for all channels, a scale and an autocorrelation of the noise for each (BlockLikelihood).
 
 #include <Eigen/QR>
+#include <memory>
 
 #include "diagnose/inference/block_likelihood.hpp"
 #include "diagnose/noise/noise_estimate.hpp"
 
 namespace plumbline::diagnose {
+
+/// What it says of one channel, outliers apart.
+struct ChannelLook {
+  std::vector<double> log_by_amplitude;
+  VectorXd log_by_scale;            ///< by the scale of the noise, with noise alone
+  std::vector<double> discrepancy;  ///< as of Look
+};
 
 /// What the likelihood says of one residual.
 struct Look {
@@ -17,12 +25,10 @@ struct Look {
   MatrixXd information;       ///< Gauss and Newton's
   /// Log likelihood at each size of the discrepancy.
   std::vector<double> log_by_amplitude;
-  /// Log likelihood with a nugget in one channel, whichever: a discrepancy that no function of the command
-  /// describes.
-  double log_nugget = 0;
-  /// Log likelihood with a discrepancy of any size in one channel, whichever, and nothing left in the others.
-  double log_one_channel = 0;
-  double nugget_size = 0;  ///< of that nugget, over the root mean square of the nominal residual
+  /// At each size of the discrepancy: its variance over that of the noise, one at most; the mean of all
+  /// values.
+  std::vector<double> discrepancy;
+  std::vector<ChannelLook> channels;
 };
 
 /// Posterior means of discrepancy and noise where a model leaves a residual.
@@ -42,6 +48,14 @@ class Likelihood {
   [[nodiscard]] const Measurements& measurements() const { return measurements_; }
   [[nodiscard]] const NoiseShape& shape() const { return shape_; }
   [[nodiscard]] const Hyperpriors& priors() const { return priors_; }
+  [[nodiscard]] const CommandStates& states() const { return states_; }
+  [[nodiscard]] const std::vector<BlockLikelihood>& blocks() const { return blocks_; }
+  /// Root mean square of the nominal residual, declared sigmas.
+  [[nodiscard]] double nominal_size() const { return nominal_size_; }
+  /// What a cause outside of the catalogue typically changes in the readings of a block, declared sigmas.
+  [[nodiscard]] double typical_size(std::size_t block) const { return typical_[block]; }
+  /// The same of noise alone, with every autocorrelation.
+  [[nodiscard]] std::unique_ptr<Likelihood> of_noise_alone() const;
 
   /// \param residual  flat, declared sigmas
   /// \param jacobian  of the residual by the parameters; no columns: the likelihood alone
@@ -50,14 +64,6 @@ class Likelihood {
     return look(residual, MatrixXd(residual.size(), 0));
   }
   [[nodiscard]] Decomposition decompose(const VectorXd& residual) const;
-
-  /// Log likelihood with a discrepancy of any size, from that at each size.
-  [[nodiscard]] double log_outside(const std::vector<double>& by_amplitude) const;
-  /// Log likelihood where nothing but noise is beside the model until, from some reading on, an amount of its
-  /// own is added to each channel or not, as probably: something slipped, broke or was moved. It lasts to the
-  /// end of its run, or of the session where the runs are parts of one. Every reading but the first of a run
-  /// is as probable.
-  [[nodiscard]] double log_step(const VectorXd& residual) const;
 
   /// Leaves out correlations that are negligible where this residual is left.
   void prune(const VectorXd& residual);
@@ -77,7 +83,9 @@ class Likelihood {
   const CommandStates& states_;
   Hyperpriors priors_;
   NoiseShape shape_;
-  double nominal_size_;  ///< root mean square of the nominal residual, declared sigmas
+  VectorXd nominal_residual_;
+  double nominal_size_;
+  std::vector<double> typical_;                    ///< by block
   Eigen::ColPivHouseholderQR<MatrixXd> periodic_;  ///< over the noise, outliers zero
   std::vector<BlockLikelihood> blocks_;
 };
@@ -86,9 +94,8 @@ class Likelihood {
 std::vector<double> log_posterior(const std::vector<double>& log_likelihood,
                                   const std::vector<double>& log_prior);
 
-/// Log density of a reading that is an outlier, at a distance in standard deviations of the noise, and of one
-/// that is none: with their probabilities.
-double log_outlier(double distance);
-double log_inlier(double distance);
+/// Posterior mean of what is known at each amplitude.
+double expected(const std::vector<double>& log_likelihood, const std::vector<double>& log_prior,
+                const std::vector<double>& values);
 
 }  // namespace plumbline::diagnose

@@ -24,6 +24,7 @@ VectorXd column(const std::vector<double>& values) {
 
 Measurements::Measurements(const Experiment& experiment) {
   std::vector<double> value, sigma, time;
+  for (const Run& run : experiment.runs) clock_.push_back(!run.counts_readings());
   const std::vector<Trace> passed_on = variance_by_imposed(experiment);
   for (const Channel& channel : channels_of(experiment)) {
     Block block{channel, static_cast<Eigen::Index>(places_.size()), 0, {}};

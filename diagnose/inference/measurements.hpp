@@ -50,6 +50,9 @@ class Measurements {
   [[nodiscard]] const VectorXd& sigma() const { return sigma_; }
   [[nodiscard]] const VectorXd& time() const { return time_; }
 
+  /// Whether time stamps of a run tell more than the number of a reading.
+  [[nodiscard]] bool has_clock(std::size_t run) const { return clock_[run]; }
+
   /// (measured - predicted) / declared sigma, flat.
   [[nodiscard]] VectorXd residual(const Prediction& predicted) const;
   /// The values of traces (one a run) at the measured values, over the declared sigma, flat.
@@ -60,6 +63,7 @@ class Measurements {
   std::vector<Block> blocks_;
   std::vector<ReadingPlace> places_;
   VectorXd value_, sigma_, time_;
+  std::vector<bool> clock_;  ///< by run
 };
 
 }  // namespace plumbline::diagnose

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
+#include "diagnose/log_sum.hpp"
 #include "diagnose/priors.hpp"
 
 namespace plumbline::diagnose {
@@ -29,35 +31,78 @@ double share_of_order(const Effect& effect) {
   return own / all;
 }
 
-double places_of(const Study& study, const EffectAt& at) {
-  if (at.joint == 0) return 1;
-  double places = 0;
-  for (const EffectAt& one : possible_effects(study))
-    places += one.effect->at_joint && one.effect->id == at.effect->id;
-  return std::max(1.0, places);
+/// A number that is stated of the device or of a sensor, and may be a little wrong either way, on every
+/// bench.
+bool is_stated_number(const Study& study, const EffectAt& at) {
+  const std::vector<ParameterRange> ranges = study.ranges(at);
+  return ranges.size() == 1 && ranges.front().may_be_nothing() && ranges.front().low < 0;
+}
+
+/// What may act on a bench.
+struct Possible {
+  std::vector<EffectAt> effects;  ///< with those of time where there is no clock
+  double all = 0;                 ///< rows, by how common they are
+  double stated_numbers = 0;      ///< effects that are
+
+  explicit Possible(const Study& study) : effects(possible_effects(study)) {
+    const std::vector<EffectAt> untimed = untimed_effects(study);
+    effects.insert(effects.end(), untimed.begin(), untimed.end());
+    const Effect* last = nullptr;
+    for (const EffectAt& at : effects) {
+      if (at.effect != last) all += commonness(*at.effect);
+      last = at.effect;
+      stated_numbers += is_stated_number(study, at);
+    }
+  }
+  [[nodiscard]] double places(const EffectAt& at) const {
+    if (at.joint == 0) return 1;
+    return static_cast<double>(
+        std::max<std::ptrdiff_t>(1, std::count_if(effects.begin(), effects.end(), [&](const EffectAt& one) {
+                                   return one.effect->at_joint && one.effect->id == at.effect->id;
+                                 })));
+  }
+  /// Logarithm of the probability that an effect is the cause, where it is one of the catalogue.
+  [[nodiscard]] double log_share(const EffectAt& at) const {
+    return std::log(commonness(*at.effect) * share_of_order(*at.effect) / (all * places(at)));
+  }
+};
+
+/// Log prior of effects of the catalogue that act together: independently drawn ones, or one of them and
+/// numbers that are wrong beside it.
+double log_prior_of(const Study& study, const Possible& possible, const std::vector<EffectAt>& effects) {
+  double together = std::log(share_of_count(effects.size()));
+  std::vector<double> terms;
+  for (std::size_t i = 0; i < effects.size(); ++i) {
+    together += possible.log_share(effects[i]) + std::log(static_cast<double>(i + 1));  // in any order
+    double beside = std::log(share_of_count(1)) + possible.log_share(effects[i]);
+    for (std::size_t k = 0; k < effects.size(); ++k)
+      if (k != i)
+        beside += is_stated_number(study, effects[k])
+                      ? std::log(priors::wrong_beside / std::max(1.0, possible.stated_numbers))
+                      : -std::numeric_limits<double>::infinity();
+    if (effects.size() > 1) terms.push_back(beside);
+  }
+  terms.push_back(together);
+  return log_sum(terms);
 }
 
 }  // namespace
 
 double log_prior(const Study& study, const Candidate& candidate) {
+  const Possible possible(study);
   const bool tolerances = candidate.has_all_tolerances();
-  const std::size_t others = candidate.count() - (tolerances ? 1 : 0);
-  double log_p = std::log(share_of_count(std::max<std::size_t>(others, tolerances ? 1 : 0)));
-  double all = 0;
-  for (const Effect* one : study.effects()) all += commonness(*one);
-  for (std::size_t i = 0; i < others; ++i) log_p += std::log(static_cast<double>(i + 1));  // in any order
-  if (tolerances && others == 0) log_p -= std::log(all);
-  if (others > 0) log_p += std::log(tolerances ? priors::tolerances_show : 1 - priors::tolerances_show);
+  std::vector<EffectAt> listed;
+  double log_p = 0;
   for (const EffectAt& at : candidate.effects) {
     if (candidate.has_as_tolerance(at)) continue;
-    if (at.effect->outside) {
-      // any joint, any size
+    if (at.effect->outside)  // any joint, any of two sizes
       log_p += std::log(priors::outside / (2 * static_cast<double>(study.scales().link_length.size())));
-      continue;
-    }
-    log_p += std::log(commonness(*at.effect) * share_of_order(*at.effect) / (all * places_of(study, at)));
+    else
+      listed.push_back(at);
   }
-  return log_p;
+  if (tolerances && candidate.count() == 1) return std::log(share_of_count(1) / possible.all);
+  log_p += std::log(tolerances ? priors::tolerances_show : 1 - priors::tolerances_show);
+  return listed.empty() ? log_p : log_p + log_prior_of(study, possible, listed);
 }
 
 ParameterPrior::ParameterPrior(const ParameterRange& range) {

@@ -11,6 +11,7 @@
 #include "diagnose/discrepancy/unknown_torque.hpp"
 #include "diagnose/inference/elements.hpp"
 #include "diagnose/inference/forecast.hpp"
+#include "diagnose/inference/idle.hpp"
 #include "diagnose/inference/prior.hpp"
 #include "diagnose/inference/start.hpp"
 #include "diagnose/noise/estimate_noise.hpp"
@@ -55,6 +56,8 @@ class Searcher {
       : study_(study), nominal_residual_(study.nominal_residual()), listed_(possible_effects(study)) {
     found_.states = std::make_shared<CommandStates>(study.experiment());
     found_.outside = unknown_torques(study);
+    found_.untimed = untimed_effects(study);
+    listed_.insert(listed_.end(), found_.untimed.begin(), found_.untimed.end());
     set_likelihoods(nominal_residual_, NoiseShape(study.measurements()), Departures::ignored);
   }
 
@@ -384,27 +387,13 @@ class Searcher {
     refine(refined_at_last, near_best / 2);
   }
 
-  /// Whether the readings do not notice an effect of a hypothesis: without it they are as likely.
-  [[nodiscard]] bool has_idle(const Hypothesis& h) const {
-    constexpr double noticed = 1;  // nat
-    return std::any_of(h.candidate.effects.begin(), h.candidate.effects.end(), [&](const EffectAt& gone) {
-      if (h.candidate.has_as_tolerance(gone)) return false;
-      const Instance rest =
-          part(study_, h.candidate, h.parameters, [&](const EffectAt& at) { return !(at == gone); });
-      const Prediction predicted = predict(study_, rest.candidate, rest.parameters);
-      if (!predicted.reached) return false;
-      const VectorXd residual = study_.residual(predicted);
-      return residual.allFinite() &&
-             found_.likelihood->look(residual).log_likelihood > h.look.log_likelihood - noticed;
-    });
-  }
-
   /// A hypothesis with an idle effect is another, simpler one.
   void drop_idle() {
     constexpr std::size_t most = 40;
     std::vector<char> idle(std::min(most, found_.hypotheses.size()), 0);
-    in_parallel(idle.size(), study_.threads(),
-                [&](std::size_t i) { idle[i] = has_idle(found_.hypotheses[i]); });
+    in_parallel(idle.size(), study_.threads(), [&](std::size_t i) {
+      idle[i] = has_idle_effect(study_, *found_.likelihood, found_.hypotheses[i]);
+    });
     std::vector<Hypothesis> kept;
     for (std::size_t i = 0; i < idle.size(); ++i)
       if (!idle[i]) kept.push_back(std::move(found_.hypotheses[i]));

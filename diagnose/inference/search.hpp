@@ -17,6 +17,7 @@ struct Findings {
   Look nominal;                        ///< what the likelihood says of the nominal model
   std::vector<Hypothesis> hypotheses;  ///< most evidence first
   std::vector<EffectAt> not_excited;   ///< effects on which no measured value depends
+  std::vector<EffectAt> untimed;       ///< effects of time, where the readings have no clock
 };
 
 /// Fits every effect, alone and then beside those that explain most; takes the leading hypotheses apart and

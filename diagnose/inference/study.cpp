@@ -116,14 +116,34 @@ std::vector<ParameterRange> Study::ranges(const Candidate& candidate) const {
   return all;
 }
 
-std::vector<EffectAt> possible_effects(const Study& study) {
+namespace {
+
+std::vector<EffectAt> possible_by(const Study& study, const CharacteristicScales& scales) {
   std::vector<EffectAt> all;
   for (const Effect* row : study.effects()) {
     const std::size_t first = row->at_joint ? 1 : 0;
-    const std::size_t last = row->at_joint ? study.scales().link_length.size() : 0;
+    const std::size_t last = row->at_joint ? scales.link_length.size() : 0;
     for (std::size_t joint = first; joint <= last; ++joint)
-      if (const EffectAt at(*row, joint); row->possible({study.scales(), index_of(at)})) all.push_back(at);
+      if (const EffectAt at(*row, joint); row->possible({scales, index_of(at)})) all.push_back(at);
   }
+  return all;
+}
+
+}  // namespace
+
+std::vector<EffectAt> possible_effects(const Study& study) {
+  return possible_by(study, study.scales());
+}
+
+std::vector<EffectAt> untimed_effects(const Study& study) {
+  if (study.scales().clock) return {};
+  CharacteristicScales timed = study.scales();
+  timed.clock = true;
+  const std::vector<EffectAt> possible = possible_effects(study);
+  std::vector<EffectAt> all = possible_by(study, timed);
+  std::erase_if(all, [&](const EffectAt& at) {
+    return std::find(possible.begin(), possible.end(), at) != possible.end();
+  });
   return all;
 }
 

@@ -64,6 +64,10 @@ class Study {
 /// passive joint, no gravity in a horizontal plane, no load-cell effect where no force is measured.
 std::vector<EffectAt> possible_effects(const Study& study);
 
+/// Effects that would be possible if the readings had a clock, and are not as they have none: they are looked
+/// for with the number of a reading as its time, and count as causes outside of the catalogue.
+std::vector<EffectAt> untimed_effects(const Study& study);
+
 /// What is left of a candidate of which only some effects stay.
 Instance part(const Study& study, const Candidate& candidate, const std::vector<double>& parameters,
               const std::function<bool(const EffectAt&)>& stays);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "diagnose/noise/term.hpp"
+#include "diagnose/outside/outside_cause.hpp"
 #include "diagnose/priors.hpp"
 
 namespace plumbline::diagnose {
@@ -20,34 +21,40 @@ VectorXd by_value(const Measurements& measurements, const Decomposition& parts, 
   return all;
 }
 
+/// \param left  of the residual beyond interference and, or not, the discrepancy
 NoiseEvidence evidence_of(const Experiment& experiment, const Measurements& measurements,
-                          const NoiseShape& shape, const Decomposition& parts, const VectorXd& residual) {
+                          const NoiseShape& shape, const Decomposition& parts, const VectorXd& left) {
   NoiseEvidence evidence{experiment, measurements, shape, {}, {}, {}};
   evidence.scale = by_value(measurements, parts, [](const ChannelNoise& one) { return one.scale; });
-  evidence.standardised =
-      (residual - parts.delta - parts.periodic).cwiseQuotient(evidence.scale.cwiseProduct(shape.relative));
+  evidence.standardised = left.cwiseQuotient(evidence.scale.cwiseProduct(shape.relative));
   // Squares of neighbours correlate by the square of what their values do.
   evidence.weight = by_value(measurements, parts, [](const ChannelNoise& one) {
     const double square = one.correlation * one.correlation;
     return (1 - square) / (1 + square);
   });
-  // Readings that are marked as outliers may be those of a noisier segment: they count as the least of
-  // outliers.
-  constexpr double least_outlier = 4;  // about where an outlier is as probable as noise
-  for (std::size_t i = 0; i < shape.outlier.size(); ++i)
-    if (shape.outlier[i]) {
+  return evidence;
+}
+
+/// With readings that are marked as outliers, which may be those of a noisier segment, as the least of
+/// outliers.
+NoiseEvidence with_outliers_drawn_in(NoiseEvidence evidence) {
+  const OutlierModel model = evidence.shape.outliers();
+  const double least = std::sqrt(2 * (model.log_inlier(0) - model.log_outlier(0)));
+  for (std::size_t i = 0; i < evidence.shape.outlier.size(); ++i)
+    if (evidence.shape.outlier[i]) {
       double& z = evidence.standardised(static_cast<Eigen::Index>(i));
-      z = std::clamp(z, -least_outlier, least_outlier);
+      z = std::clamp(z, -least, least);
     }
   return evidence;
 }
 
 /// Marks the readings that are more probably outliers than noise. \returns whether a mark changed
 bool mark_outliers(const NoiseEvidence& evidence, NoiseShape& shape) {
+  const OutlierModel model = shape.outliers();
   bool changed = false;
   for (std::size_t i = 0; i < shape.outlier.size(); ++i) {
     const double z = evidence.standardised(static_cast<Eigen::Index>(i));
-    const bool is = log_outlier(z) > log_inlier(z);
+    const bool is = model.log_outlier(z) > model.log_inlier(z);
     changed = changed || shape.outlier[i] != is;
     shape.outlier[i] = is;
   }
@@ -68,12 +75,8 @@ std::optional<NoiseProposal> most_probable_departure(const NoiseEvidence& eviden
 /// is no departure of noise.
 double log_evidence(const Likelihood& likelihood, const VectorXd& residual) {
   const Look look = likelihood.look(residual);
-  const double common = 1 - priors::step - priors::one_channel;
-  return log_sum(
-      Eigen::Vector4d(std::log(1 - priors::outside) + look.log_likelihood,
-                      std::log(priors::outside * common) + likelihood.log_outside(look.log_by_amplitude),
-                      std::log(priors::outside * priors::one_channel) + look.log_one_channel,
-                      std::log(priors::outside * priors::step) + likelihood.log_step(residual)));
+  return log_sum({std::log(1 - priors::outside) + look.log_likelihood,
+                  std::log(priors::outside) + log_outside({likelihood, residual, look})});
 }
 
 }  // namespace
@@ -89,22 +92,30 @@ NoiseShape estimate_noise(const Experiment& experiment, const Measurements& meas
   constexpr int rounds = 10;  // that end before: each accepts a departure, or moves marks
   for (int round = 0; round < rounds; ++round) {
     const NoiseShape known = shape;
-    const NoiseEvidence evidence =
-        evidence_of(experiment, measurements, known, likelihood->decompose(residual), residual);
-    bool changed = mark_outliers(evidence, shape);
+    const Decomposition parts = likelihood->decompose(residual);
+    const auto evidence = [&](const VectorXd& left) {
+      return evidence_of(experiment, measurements, known, parts, left);
+    };
+    const NoiseEvidence left = evidence(residual - parts.delta - parts.periodic);
+    bool changed = mark_outliers(left, shape);
     if (changed) likelihood = likelihood_of(shape);
     if (!changed && may_depart) {
-      const std::optional<NoiseProposal> proposed = most_probable_departure(evidence);
-      may_depart = proposed.has_value();
-      if (may_depart) {
-        NoiseShape other = shape;
+      // A discrepancy, or marks, may have taken what a departure does: it is looked for with and without
+      // them.
+      const NoiseEvidence beside = with_outliers_drawn_in(left),
+                          whole = with_outliers_drawn_in(evidence(residual - parts.periodic));
+      double reached = log_evidence(*likelihood, residual);
+      for (const NoiseEvidence* from : {&left, &beside, &whole}) {
+        const std::optional<NoiseProposal> proposed = most_probable_departure(*from);
+        if (!proposed) continue;
+        NoiseShape other = known;
         proposed->accept(other);
         std::unique_ptr<Likelihood> with = likelihood_of(other);
-        // The discrepancy may explain as much as the departure does.
-        may_depart =
-            log_evidence(*with, residual) + proposed->log_prior > log_evidence(*likelihood, residual);
-        if (may_depart) shape = std::move(other), likelihood = std::move(with), changed = true;
+        const double gained = log_evidence(*with, residual) + proposed->log_prior;
+        if (!(gained > reached)) continue;
+        reached = gained, shape = std::move(other), likelihood = std::move(with), changed = true;
       }
+      may_depart = changed;
     }
     if (!changed) break;
   }

@@ -28,6 +28,16 @@ struct Interference {
   std::map<Channel, double> rms;  ///< declared sigmas
 };
 
+/// The density of what a reading is off by, in standard deviations of the noise: Gaussian, or the wide Cauchy
+/// density of an outlier.
+struct OutlierModel {
+  double share;  ///< of readings that are outliers
+  /// With its probability.
+  [[nodiscard]] double log_outlier(double distance) const;
+  [[nodiscard]] double log_inlier(double distance) const;
+  [[nodiscard]] double log_density(double distance) const;  ///< of either
+};
+
 struct NoiseShape {
   explicit NoiseShape(const Measurements& measurements);
   VectorXd relative;          ///< by value: its sigma over the declared one, but for the channel's scale
@@ -40,6 +50,8 @@ struct NoiseShape {
   bool quantised = false;  ///< coarse displays are taken into account
 
   [[nodiscard]] bool has_outliers() const;
+  /// Each outlier is as probable as the others make it: a rate with a beta prior.
+  [[nodiscard]] OutlierModel outliers() const;
   [[nodiscard]] bool is_noisier(std::size_t run, Sensor sensor) const;
 };
 

@@ -140,6 +140,12 @@ Json ranking(const Diagnosis& diagnosis) {
   return list;
 }
 
+/// What a partial cause leaves.
+Json rest(const Cause& cause) {
+  if (!cause.rest) return nullptr;
+  return {{"share", cause.rest->share}, {"noise_floor", cause.rest->noise_floor}, {"why", cause.rest->why}};
+}
+
 Json cause(const Diagnosis& diagnosis) {
   const Cause& found = diagnosis.cause;
   Json equivalent = Json::array(), probabilities = Json::array(), idle = Json::array();
@@ -158,6 +164,8 @@ Json cause(const Diagnosis& diagnosis) {
       {"discrepancy_torque", found.discrepancy_torque},
       {"ranking", ranking(diagnosis)},
       {"effect_probabilities", probabilities},
+      {"rest", rest(found)},
+      {"too_few_readings", found.too_few_readings},
       {"not_excited", idle}};
 }
 

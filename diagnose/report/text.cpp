@@ -165,6 +165,12 @@ std::string leading(const RankedCause& best) {
                      probability(best.probability), best.chi2_per_value);
 }
 
+std::string verdict_in_words(const Cause& cause) {
+  if (cause.verdict == CauseVerdict::partial) return "Mostly";
+  if (cause.too_few_readings) return "Too few readings to tell";
+  return cause.verdict == CauseVerdict::identified ? "Identified" : "Ambiguous";
+}
+
 std::string unexplained(const Diagnosis& diagnosis) {
   const Cause& cause = diagnosis.cause;
   std::string text = fmt::format("What?  Unknown: a cause outside the catalogue has probability {}\n",
@@ -179,7 +185,7 @@ std::string unexplained(const Diagnosis& diagnosis) {
 
 std::string explained(const Diagnosis& diagnosis) {
   const Cause& cause = diagnosis.cause;
-  std::string text = cause.verdict == CauseVerdict::identified ? "What?  Identified: " : "What?  Ambiguous: ";
+  std::string text = fmt::format("What?  {}: ", verdict_in_words(cause));
   text += leading(cause.ranking.front()) + parameters(diagnosis) + beside(cause);
   for (std::size_t i = 1; i < cause.named; ++i)
     text += fmt::format("  or {} (probability {})\n", cause.ranking[i].cause.name(),
@@ -187,6 +193,10 @@ std::string explained(const Diagnosis& diagnosis) {
   text += fmt::format("  {}a cause outside the catalogue {}\n", cause.or_unknown ? "or " : "",
                       cause.or_unknown ? fmt::format("(probability {})", probability(cause.unknown))
                                        : "has probability " + probability(cause.unknown));
+  if (cause.rest)
+    text += fmt::format("  it leaves {} of the residual, noise alone {}: {}\n", percent(cause.rest->share),
+                        percent(cause.rest->noise_floor), cause.rest->why);
+  if (cause.too_few_readings) text += "  too few readings to tell it from a cause outside the catalogue\n";
   return text + parts(cause);
 }
 
@@ -272,8 +282,10 @@ std::string answer(const Diagnosis& diagnosis) {
   if (!cause.is_explained())
     return fmt::format("Unknown: the cause is outside the catalogue with probability {}\n",
                        probability(cause.unknown));
-  std::string text = (cause.verdict == CauseVerdict::identified ? "Identified: " : "Ambiguous: ") +
-                     in_words(cause.ranking.front().cause);
+  std::string text = verdict_in_words(cause) + ": " + in_words(cause.ranking.front().cause);
+  if (cause.rest)
+    text += fmt::format(" (part of it with {}); {}", probability(cause.ranking.front().probability),
+                        cause.rest->why);
   const std::size_t others = cause.named - 1 + (cause.or_unknown ? 1 : 0);
   if (others == 1) text += ", or the alternative below";
   if (others > 1) text += fmt::format(", or one of {} alternatives below", others);

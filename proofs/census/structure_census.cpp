@@ -64,6 +64,7 @@ class StructureBox {
     for (std::size_t i = 0; i < n_; ++i) {
       if (!fixed_[i]) unknown_.push_back(i);
     }
+    if (unknown_.empty()) throw Error("census", "no link that can turn", "one or more");
     if (unknown_.size() > most_turning)
       throw Error("census", std::to_string(unknown_.size()) + " links that turn",
                   "at most " + std::to_string(most_turning));
@@ -160,6 +161,24 @@ class StructureBox {
   [[nodiscard]] bool around_one(const Ranges& a, const Ranges& b) const {
     Ranges hull = widened(a, b);
     return isolates(hull);
+  }
+
+  /// A box of the same shapes whose directions lie as near to another's as whole turns of passive joints
+  /// bring them: no spring counts those.
+  [[nodiscard]] Ranges unwound(const Ranges& box, const Ranges& like) const {
+    Ranges moved = box;
+    double before = 0;  // turns of the link before
+    for (std::size_t i = 0, j = 0; i < n_; ++i) {
+      double turns = 0;
+      if (j < unknown_.size() && unknown_[j] == i) {
+        turns = std::round((box[j].middle() - like[j].middle()) / (2 * above_pi));
+        moved[j] = box[j] - turns * Span(Interval::pi() * Interval(2));
+        ++j;
+      }
+      if (turns != before && stiffness_[i].high > 0) return box;
+      before = turns;
+    }
+    return before != 0 && end_turn_.high > 0 ? box : moved;
   }
 
   /// The hull of two boxes and a little more: a Newton step leads strictly inside no box that is already as
@@ -400,11 +419,13 @@ bool overlap(const Ranges& a, const Ranges& b) {
   return true;
 }
 
-/// Adds a box around an equilibrium; those on the border between two boxes are found in both.
+/// Adds a box around an equilibrium; those on the border between two boxes are found in both, and those half
+/// a turn off at a passive joint to either side.
 /// \returns false where it is open whether it is a new one
 bool add(std::vector<Ranges>& found, const Ranges& box, const StructureBox& system) {
   for (const Ranges& other : found) {
-    if (overlap(other, box)) return system.around_one(other, box);
+    const Ranges same = system.unwound(box, other);
+    if (overlap(other, same)) return system.around_one(other, same);
   }
   found.push_back(box);
   return true;

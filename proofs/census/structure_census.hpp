@@ -9,8 +9,9 @@
 /// exactly one equilibrium lies in it. What can be neither dropped nor proved at the smallest size is
 /// reported.
 ///
-/// The window: each joint within half a turn of its rest (and further full turns where these are asked for),
-/// and |Fy| within a bound of its own, for a chain that is nearly folded across may be held by any force.
+/// The window: each joint within half a turn of its rest, a passive one once around (and further full turns
+/// where these are asked for), and |Fy| within a bound of its own, for a chain that is nearly folded across
+/// may be held by any force.
 
 #include <plumbline/structure/structure.hpp>
 #include <vector>

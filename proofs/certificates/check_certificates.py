@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Checks Plumbline certificates with integers and fractions alone. What is checked, and what that proves, stands in
 certificate-format.md. Usage: check_certificates.py FILE... (exit status 0 when everything in them holds)."""
-import hashlib, json, re, sys
+import hashlib, json, re, signal, sys
 from fractions import Fraction
 from itertools import accumulate
 from math import ceil, floor, lcm
@@ -28,13 +28,17 @@ def inexact(text):
 def read(text):
     return json.loads(text, parse_float=inexact, parse_constant=inexact, object_pairs_hook=once)
 
+MOST_DIGITS = 100000  # of a number, written without its exponent
+
 def number(text):
-    good = isinstance(text, str) and re.fullmatch(r"-?\d+(/0*[1-9]\d*|(\.\d+)?(e[+-]?\d{1,6})?)", text, re.ASCII)
-    require(good, f"{text!r} where a decimal or a fraction is expected")
+    good = isinstance(text, str) and re.fullmatch(r"-?\d+(/0*[1-9]\d*|(\.\d+)?(e([+-]?\d{1,6}))?)", text, re.ASCII)
+    require(good, f"{str(text)[:60]!r} where a decimal or a fraction is expected")
+    require(len(text) + abs(int(good[4] or 0)) <= MOST_DIGITS, f"a number of more than {MOST_DIGITS} digits")
     return Fraction(text)
 
 def unit(x, digits):
     """One unit in a significant digit of x; for x = 0 one unit in that place behind the point."""
+    require(isinstance(digits, int) and 0 <= digits <= MOST_DIGITS, f"digits that are no number up to {MOST_DIGITS}")
     e = len(str(abs(x.numerator))) - len(str(x.denominator)) if x else 0
     return Fraction(10) ** (e + (x != 0 and abs(x) >= Fraction(10) ** e) - digits)
 
@@ -151,7 +155,7 @@ def each(document, format, name, check_entry):
     fields(document["provenance"], "command program seed")
     found = [document["format"], document["version"]]
     require(found == [format, 1], f"format and version {found} where {[format, 1]} are expected")
-    require(isinstance(document["certificates"], list), "certificates")
+    require(isinstance(document["certificates"], list) and document["certificates"], "no certificates")
     results = []
     for entry in document["certificates"]:
         try: results.append(check_entry(entry))
@@ -161,7 +165,7 @@ def each(document, format, name, check_entry):
 def check_chain(entry):
     fields(entry, "chain lengths stiffness forces", "ties matrices")
     chain, modes = Chain(entry["lengths"], entry["stiffness"]), [force["mode"] for force in entry["forces"]]
-    require(modes == sorted(set(modes)), "modes out of order")
+    require(modes and modes == list(range(1, len(modes) + 1)), "not the lowest forces, each once")
     for tie in entry.get("ties", []): chain.check_tie(tie)
     tied = {mode: tie["mode"] for tie in entry.get("ties", []) for mode in (tie["mode"], tie["mode"] + 1)}
     for force in entry["forces"]: chain.check_force(force, tied)
@@ -172,10 +176,17 @@ def check_chain(entry):
 def check(document):
     return each(document, "plumbline-certificates", "chain", check_chain)
 
+BUDGET = 600  # seconds for each file
+
+def out_of_time(*_):
+    raise TimeoutError(f"not done after {BUDGET} seconds, the budget of a file")
+
 def main(check, summary):
     """Checks the files that the command line names. `summary` tells what was in a file that holds."""
     if len(sys.argv) < 2: sys.exit(f"usage: {sys.argv[0]} FILE...")
+    if hasattr(signal, "alarm"): signal.signal(signal.SIGALRM, out_of_time)
     for name in sys.argv[1:]:
+        if hasattr(signal, "alarm"): signal.alarm(BUDGET)
         try:
             with open(name, encoding="utf-8") as file: results = check(read(file.read()))
         except (OSError, *REFUSALS) as error: sys.exit(f"{name}: {error}")

@@ -1,24 +1,16 @@
 #!/usr/bin/env python3
 """Checks Plumbline's certificates of the critical load factors of straight structures with fractions alone. What is
 checked, and what that proves, stands in structure-certificate-format.md.
-Usage: check_structures.py FILE... (exit status 0 when everything in them holds)."""
+Usage: check_structures.py FILE... [--of CHAIN.toml] (exit status 0 when everything in them holds; with --of, when they
+are of that chain file too)."""
+import sys
 from fractions import Fraction
+from math import gcd, lcm
 
 from check_certificates import determinant, each, fields, main, number, require, unit
+from stated_chain import assembled, canonical, read_chain_file
 
-class Motion:
-    """One motion of one place: free, held, or against a spring."""
-    def __init__(self, text):
-        self.held = text == "held"
-        self.spring = Fraction(0) if text in ("held", "free") else number(text)
-        require(self.spring >= 0, "a negative spring")
-
-class Support:
-    def __init__(self, entry):
-        fields(entry, "along across turn")
-        self.along, self.across, self.turn = (Motion(entry[name]) for name in ("along", "across", "turn"))
-    def holds_along(self):
-        return self.along.held or self.along.spring > 0
+MOST_UNKNOWNS = 8  # up to which all changes of motion are looked for again
 
 def inertia(rows):
     """Negative and positive eigenvalues of a symmetric matrix of fractions, a dictionary a row, by congruence: Sylvester's law."""
@@ -76,161 +68,216 @@ def real_roots(p):
     left = changes([t[-1] * (-1) ** (len(t) - 1) for t in terms])
     return left - at_zero, at_zero - changes([t[-1] for t in terms])
 
-class Structure:
-    def __init__(self, entry):
-        self.L, self.k = [number(x) for x in entry["lengths"]], [number(x) for x in entry["stiffness"]]
-        self.n = len(self.L)
-        require(self.n == len(self.k) > 0 and min(self.L) > 0 <= min(self.k), "no such chain")
-        self.base, self.end = Support(entry["base"]), Support(entry["end_point"])
-        self.across = [self.base.across] + [Motion(x) for x in entry["across"]] + [self.end.across]
-        require(len(self.across) == self.n + 1, "across")
-        require(self.base.turn.spring == 0 and not (self.base.turn.held and self.k[0]), "the spring of joint 1")
-        self.fixed, self.multiplied = self.compression(entry["loads"])
-        self.number_unknowns()
+def whole(p):
+    """A positive multiple of a polynomial, with integers that have no common factor."""
+    while p and not p[-1]: p = p[:-1]
+    scale = lcm(*(Fraction(c).denominator for c in p)) if p else 1
+    p = [int(c * scale) for c in p]
+    common = gcd(*p) or 1
+    return [c // common for c in p]
 
-    def compression(self, loads):
-        from_base = self.base.holds_along()
-        require(from_base != self.end.holds_along(), "held along at one end")
-        sums = [[Fraction(0)] * self.n, [Fraction(0)] * self.n]
-        for load in loads:
-            fields(load, "at force multiplied follows")
-            require(1 <= load["at"] <= self.n and {load["multiplied"], load["follows"]} <= {0, 1}, "load")
-            for i in range(self.n):
-                if from_base and i < load["at"]: sums[load["multiplied"]][i] -= number(load["force"])
-                if not from_base and i >= load["at"]: sums[load["multiplied"]][i] += number(load["force"])
-        return sums
+def squarefree(p):
+    """The polynomial with the roots of p, each once."""
+    f, g = whole(p), whole([i * c for i, c in enumerate(p)][1:])
+    while g:  # their greatest common divisor
+        rest = list(f)
+        while len(rest) >= len(g):
+            top, shift = rest[-1], len(rest) - len(g)
+            rest = [g[-1] * c for c in rest]
+            for i, c in enumerate(g): rest[i + shift] -= top * c
+            rest.pop()
+        f, g = g, whole(rest)
+    rest, quotient = [Fraction(c) for c in p], []
+    while len(rest) >= len(f):
+        quotient.append(rest[-1] / f[-1])
+        shift = len(rest) - len(f)
+        for i, c in enumerate(f): rest[i + shift] -= quotient[-1] * c
+        rest.pop()
+    return whole(quotient[::-1])
 
-    def number_unknowns(self):
-        """The deflections of the nodes: a held one is none, those of a clamped link are one."""
-        leader = list(range(self.n + 1))
-        if self.base.turn.held: leader[1] = leader[0]
-        if self.end.turn.held: leader[self.n] = leader[self.n - 1]
-        held = {leader[i] for i, motion in enumerate(self.across) if motion.held}
-        free = [i for i in sorted(set(leader)) if i not in held]
-        self.size, self.unknown = len(free), [free.index(i) if i in free else None for i in leader]
+def value(p, x):
+    result = Fraction(0)
+    for c in reversed(p): result = result * x + c
+    return result
 
-    def matrix(self, springs, factor):
-        """Of springs (as they are, times `springs`) and loads: fixed ones times `springs`, the others times `factor`."""
-        rows = [{} for _ in range(self.size)]
-        def add(terms, times):
-            for i, a in terms:
-                for j, b in terms:
-                    if times and i is not None and j is not None: rows[i][j] = rows[i].get(j, 0) + times * a * b
-        def slope(link, times=1):
-            return [(self.unknown[link], -times / self.L[link]), (self.unknown[link + 1], times / self.L[link])]
-        for i in range(self.n):
-            if i: add(slope(i) + slope(i - 1, -1), springs * self.k[i])
-            elif not self.base.turn.held: add(slope(0), springs * self.k[0])
-            add(slope(i), -self.L[i] * (springs * self.fixed[i] + factor * self.multiplied[i]))
-        add(slope(self.n - 1), springs * self.end.turn.spring)
-        for i, motion in enumerate(self.across): add([(self.unknown[i], 1)], springs * motion.spring)
-        return rows
+def variations(p, low, high):
+    """Descartes' bound on the number of roots between two numbers: exact where it is 0 or 1."""
+    n, width, shifted = len(p) - 1, high - low, [Fraction(c) for c in p]
+    for i in range(n):  # p(low + x)
+        for j in range(n - 1, i - 1, -1): shifted[j] += low * shifted[j + 1]
+    q = whole([c * width**i for i, c in enumerate(shifted)][::-1])
+    q += [0] * (n + 1 - len(q))
+    for i in range(n):  # (1 + x)^n p(low + width / (1 + x))
+        for j in range(n - 1, i - 1, -1): q[j] += q[j + 1]
+    signs = [c > 0 for c in q if c]
+    return sum(a != b for a, b in zip(signs, signs[1:]))
 
-    def motion(self, entry, factor):
-        """The polynomial det(K - factor A - x M) in x: with loads that follow their link, K - factor A is not symmetric."""
-        rows, mass = self.matrix(1, factor), [Fraction(0)] * self.size
-        for load in entry["loads"]:
-            at, before = self.unknown[load["at"]], self.unknown[load["at"] - 1]
-            if not load["follows"] or at is None: continue
-            push = -number(load["force"]) / self.L[load["at"] - 1] * (factor if load["multiplied"] else 1)
-            rows[at][at] = rows[at].get(at, 0) + push
-            if before is not None: rows[at][before] = rows[at].get(before, 0) - push
-        masses = [number(x) for x in entry["masses"]]
-        require(len(masses) == self.n, "masses")
-        for node, m in enumerate(masses, 1):
-            if self.unknown[node] is not None: mass[self.unknown[node]] += m
-        require(min(mass) > 0, "a place without a mass")
-        values = [determinant([[row.get(j, 0) - (x * mass[i] if i == j else 0) for j in range(self.size)]
-                               for i, row in enumerate(rows)]) for x in map(Fraction, range(self.size + 1))]
-        return interpolated(values)
+def positive_roots(p):
+    """Ascending bounds around the positive roots of a polynomial that has each once; no bound is a root."""
+    end = 2 + max(abs(Fraction(c, p[-1])) for c in p)
+    open_, found = [(Fraction(0), end)], []
+    while open_:
+        low, high = open_.pop()
+        count = variations(p, low, high)
+        if count == 1 and low > 0: found.append((low, high))
+        if count == 0 or (count == 1 and low > 0): continue
+        middle = (low + high) / 2
+        while not value(p, middle): middle = (low + 2 * middle) / 3
+        open_ += [(low, middle), (middle, high)]
+    return sorted(found)
 
-class SpaceStructure:
-    """A chain in space, in the turns about the axes that bend it: a sum of squares of linear forms in them."""
-    def __init__(self, entry):
-        L, axes = [number(x) for x in entry["lengths"]], []
-        n = len(L)
-        require(n == len(entry["joints"]) > 0 and min(L) > 0 and entry["clamped"] in (0, 1), "no such chain")
-        for i, joint in enumerate(entry["joints"]):
-            require(1 <= len(joint) <= 3, "axes")
-            for axis in joint:
-                fields(axis, "axis stiffness")
-                a, k = [number(x) for x in axis["axis"]], number(axis["stiffness"])
-                require(len(a) == 3 and any(a) and k >= 0, "no such axis")
-                if a[1:] != [0, 0] and not (i == 0 and entry["clamped"]):
-                    axes.append((i, k * sum(x * x for x in a), (a[2], -a[1])))
-        fields(entry["end_point"], "across turn")
-        fields(entry["compression"], "fixed multiplied")
-        N = [[number(x) for x in entry["compression"][kind]] for kind in ("fixed", "multiplied")]
-        across = [Motion(x) for x in entry["across"] + [entry["end_point"]["across"]]]
-        require(len(across) == n == len(N[0]) == len(N[1]) and entry["end_point"]["turn"] in ("free", "held"), "ends and loads")
-        slopes = [[[lean[d] * (joint <= i) for joint, _, lean in axes] for d in (0, 1)] for i in range(n)]
-        deflections = [[[sum(L[j] * slopes[j][d][a] for j in range(i + 1)) for a in range(len(axes))] for d in (0, 1)] for i in range(n)]
-        held = [w for i in range(n) if across[i].held for w in deflections[i]]
-        basis = kernel(held + (slopes[-1] if entry["end_point"]["turn"] == "held" else []), len(axes))
-        squares = [(k, 0, [Fraction(a == b) for b in range(len(axes))]) for a, (_, k, _) in enumerate(axes)]
-        for i in range(n):
-            squares += [(across[i].spring, 0, w) for w in deflections[i]]
-            squares += [(-L[i] * N[0][i], -L[i] * N[1][i], t) for t in slopes[i]]
-        self.size = len(basis)
-        self.squares = [(c, d, [sum(x * y for x, y in zip(form, b)) for b in basis]) for c, d, form in squares if c or d]
+def polynomial_of(structure, factor):
+    """det(K - factor A - x M) in x."""
+    rows, mass = structure.motion(factor)
+    values = [determinant([[k - x * m * (i == j) for j, k in enumerate(row)] for i, (row, m) in enumerate(zip(rows, mass))])
+              for x in map(Fraction, range(structure.size + 1))]
+    return interpolated(values)
 
-    def matrix(self, springs, factor):
-        """As that of Structure."""
-        return [{j: sum((springs * c + factor * d) * form[i] * form[j] for c, d, form in self.squares) for j in range(self.size)}
-                for i in range(self.size)]
+def is_symmetric(structure):
+    rows = structure.motion(Fraction(1))[0]
+    return rows == [list(column) for column in zip(*rows)]
 
-def kernel(rows, columns):
-    """A basis of what the rows map to zero."""
-    pivots = []
-    for column in range(columns):
-        row = next((row for row in rows if row[column]), None)
-        if row is None: continue
-        pivot = [x / row[column] for x in row]
-        eliminated = [[x - other[column] * y for x, y in zip(other, pivot)] for other in rows if other is not row]
-        pivots = [(at, [x - other[column] * y for x, y in zip(other, pivot)]) for at, other in pivots] + [(column, pivot)]
-        rows = eliminated
-    basis, leading = [], {at for at, _ in pivots}
-    for column in range(columns):
-        if column in leading: continue
-        vector = [Fraction(i == column) for i in range(columns)]
-        for at, pivot in pivots: vector[at] = -pivot[column]
-        basis.append(vector)
-    return basis
+def shapes_suffice(structure, factor, p):
+    """Whether there are as many independent shapes as unknowns: the polynomial with each root once annuls M^-1 (K - F A)."""
+    rows, mass = structure.motion(factor)
+    B = [[k / m for k in row] for row, m in zip(rows, mass)]
+    total, size = [[Fraction(0)] * structure.size for _ in B], range(structure.size)
+    for c in reversed(squarefree(p)):
+        total = [[sum(total[i][k] * B[k][j] for k in size) + c * (i == j) for j in size] for i in size]
+    return not any(map(any, total))
+
+def motion_at(structure, factor):
+    p = polynomial_of(structure, factor)
+    if not p[0]: return "divergence"
+    negative, positive = real_roots(p)
+    if negative: return "divergence"
+    if positive + 1 < len(squarefree(p)): return "flutter"
+    enough = positive == structure.size or is_symmetric(structure) or shapes_suffice(structure, factor, p)
+    return "stable" if enough else "flutter"
+
+def distinctness(p, count):
+    """A number that is zero where fewer than so many roots are distinct (Hermite): the minor of the sums of their powers."""
+    n, sums = len(p) - 1, [Fraction(len(p) - 1)]
+    for k in range(1, 2 * n - 1):
+        sums.append(-(k * p[n - k] * (k <= n) + sum(p[n - j] * sums[k - j] for j in range(1, min(k - 1, n) + 1))) / p[n])
+    return determinant([[sums[i + j] for j in range(count)] for i in range(count)])
+
+def all_changes(structure):
+    """Bounds around every factor at which the motion changes, or may be another than to either side, where it is stable: with the
+    motions below and above, and whether a frequency is zero there. And a polynomial that has each of these roots once."""
+    n = structure.size
+    samples = [polynomial_of(structure, Fraction(i)) for i in range(n * (n - 1) + 2)]
+    distinct = max(len(squarefree(p)) for p in samples) - 1
+    symmetric = is_symmetric(structure)
+    require(distinct == n or symmetric, "two equal frequencies at every factor")
+    zero = squarefree(interpolated([p[0] for p in samples[:n + 1]]))
+    equal = interpolated([distinctness(p, distinct) for p in samples])
+    below, changes = "stable", []
+    both = squarefree(product(zero, equal))
+    for low, high in positive_roots(both):
+        above, is_zero = motion_at(structure, high), value(zero, low) * value(zero, high) < 0
+        if below != above or (below == "stable" and (is_zero or not symmetric)): changes.append((low, high, below, above, is_zero))
+        below = above
+    return changes, both
+
+def product(p, q):
+    result = [0] * (len(p) + len(q) - 1)
+    for i, a in enumerate(p):
+        for j, b in enumerate(q): result[i + j] += a * b
+    return result
+
+def check_bounds(entry):
+    low, high = number(entry["low"]), number(entry["high"])
+    require(0 < low < high and 2 * (high - low) < unit(low, entry["digits"]) <= low, "bounds too wide")
+    return low, high
+
+def holds_root(p, around, bounds):
+    """Whether the one root of p, which has each once, within two numbers that are none lies above the first bound and not above
+    the second."""
+    low, high = around
+    if not value(p, bounds[1]): return low < bounds[1] < high
+    require(value(p, bounds[0]) != 0, "a bound at the change")
+    while not (bounds[0] < low and high < bounds[1]):
+        if high <= bounds[0] or bounds[1] <= low: return False
+        middle = (low + high) / 2
+        if not value(p, middle): return bounds[0] < middle < bounds[1]
+        if value(p, low) * value(p, middle) < 0: high = middle
+        else: low = middle
+    return True
+
+def simplest(low, high):
+    """The fraction of the smallest denominator between two positive numbers."""
+    whole = Fraction(low // 1)
+    if whole + 1 < high: return whole + 1
+    if low == whole: return whole + Fraction(1, 1 / (high - whole) // 1 + 1)
+    return whole + 1 / simplest(1 / (high - whole), 1 / (low - whole))
+
+def check_changes(structure, stated):
+    """That the stated changes are all, each around its factor."""
+    require(structure.size <= MOST_UNKNOWNS, "changes of more than 8 unknowns")
+    found, both = all_changes(structure)
+    require(len(found) == len(stated), "changes of motion that are missing, or none")
+    for one, (low, high, below, above, is_zero) in zip(stated, found):
+        fields(one, "digits low high at above")
+        bounds = check_bounds(one)
+        require(holds_root(both, (low, high), bounds), "no change within the bounds")
+        require(one["above"] == above, "another motion above a change")
+        if is_zero: require(one["at"] == "divergence", "a frequency that is zero at a change")
+        elif one["at"] != "undecided":
+            factor = bounds[1] if not value(both, bounds[1]) else simplest(*bounds)
+            require(not value(both, factor) and motion_at(structure, factor) == one["at"], "the motion at a change")
 
 def check_loss(entry):
-    fields(entry, "structure lengths stiffness base end_point across loads masses loss")
-    structure, loss = Structure(entry), entry["loss"]
+    fields(entry, "structure chain loss", "changes")
+    structure, loss = assembled(entry["chain"]), entry["loss"]
     fields(loss, "kind digits low high")
-    low, high = number(loss["low"]), number(loss["high"])
-    require(0 < low < high and 2 * (high - low) < unit(low, loss["digits"]) <= low, "bounds too wide")
-    require(real_roots(structure.motion(entry, Fraction(0))) == (0, structure.size), "not stable before the loads grow")
-    require(real_roots(structure.motion(entry, low)) == (0, structure.size), "not stable at low")
-    negative, positive = real_roots(structure.motion(entry, high))
-    require(positive < structure.size and loss["kind"] == ("divergence" if negative else "flutter"), "not lost at high")
+    low, high = check_bounds(loss)
+    require(motion_at(structure, Fraction(0)) == "stable", "not stable before the loads grow")
+    require(motion_at(structure, low) == "stable", "not stable at low")
+    if "changes" not in entry:
+        require(motion_at(structure, high) == loss["kind"] != "stable", "not lost at high")
+        return
+    check_changes(structure, entry["changes"])
+    def kind(one):
+        return one["above"] if one["above"] != "stable" else one["at"]
+    first = next(one for one in entry["changes"] if kind(one) not in ("stable", "undecided"))
+    require({**first, "kind": kind(first)} == {**loss, "at": first["at"], "above": first["above"]}, "not the first loss")
 
-def check_structure(entry):
-    if "loss" in entry: return check_loss(entry)
-    if "joints" in entry:
-        fields(entry, "structure lengths joints clamped end_point across compression modes factors")
-        structure = SpaceStructure(entry)
-    else:
-        fields(entry, "structure lengths stiffness base end_point across loads modes factors")
-        structure = Structure(entry)
-        require(not any(load["follows"] for load in entry["loads"]), "a load without energy")
+def check_factors(entry):
+    fields(entry, "structure chain modes factors")
+    structure = assembled(entry["chain"])
+    require("joints" in entry["chain"] or not structure.followers, "a load without energy")
     require(inertia(structure.matrix(1, 0)) == (0, structure.size), "not stable before the loads grow")
     require(inertia(structure.matrix(0, 1))[0] == entry["modes"] > 0, "modes")
     modes = [factor["mode"] for factor in entry["factors"]]
-    require(modes == sorted(set(modes)), "modes out of order")
+    require(modes and modes == list(range(1, len(modes) + 1)), "not the lowest factors, each once")
     for factor in entry["factors"]:
         fields(factor, "mode digits low high below_low below_high")
-        low, high = number(factor["low"]), number(factor["high"])
-        require(0 < low < high and 2 * (high - low) < unit(low, factor["digits"]) <= low, "bounds too wide")
+        low, high = check_bounds(factor)
         below = [inertia(structure.matrix(1, x))[0] for x in (low, high)]
         require(below == [factor["below_low"], factor["below_high"]], "counts")
         require(below[0] < factor["mode"] <= below[1], "mode not within the bounds")
 
+def check_structure(entry):
+    check_loss(entry) if "loss" in entry else check_factors(entry)
+    return entry["chain"]
+
 def check(document):
     return each(document, "plumbline-structure-certificates", "structure", check_structure)
 
+def check_of(path):
+    """As check(), and that each certificate is of the chain file."""
+    wanted = read_chain_file(path)
+    def check_all(document):
+        chains = check(document)
+        require(chains and all(canonical(chain) == wanted for chain in chains), f"a certificate of another chain than {path}")
+        return chains
+    return check_all
+
 if __name__ == "__main__":
-    main(check, lambda structures: f"{len(structures)} structures")
+    of = None
+    if "--of" in sys.argv[:-1]:
+        at = sys.argv.index("--of")
+        of = sys.argv[at + 1]
+        del sys.argv[at:at + 2]
+    main(check_of(of) if of else check, lambda structures: f"{len(structures)} structures")

@@ -15,7 +15,6 @@ struct CriticalTorque {
 
 /// The lowest positive root of det(K - T S), proved by Sturm's theorem.
 /// \throws Error as torque_pencil() does, for a mechanism, and where there is no positive root
-CriticalTorque critical_torque(const SpaceChain<Rational>& chain, const SpaceLoad<Rational>& ends,
-                               TorqueKind kind, int digits);
+CriticalTorque critical_torque(const SpaceStructure<Rational>& structure, int digits);
 
 }  // namespace plumbline::proofs

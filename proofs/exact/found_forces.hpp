@@ -14,6 +14,15 @@ namespace plumbline::proofs {
 /// How many critical forces lie below each of many.
 using CountsBelow = std::function<std::vector<std::size_t>(const std::vector<Rational>&)>;
 
+/// The budget of whoever computes with ever more digits: none of the numbers that a person writes takes so many.
+/// \throws Error beyond it
+inline void require_affordable(int digits) {
+  constexpr int most = 40000;
+  if (digits > most)
+    throw Error("critical factors", "numbers so far apart that 40000 digits do not tell them",
+                "lengths, stiffnesses and loads less far apart");
+}
+
 class FoundForces {
  public:
   /// The lowest so many, each to so many significant digits.

@@ -1,6 +1,7 @@
 #include "proofs/exact/polynomial.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <plumbline/base/error.hpp>
 
 namespace plumbline::proofs {
@@ -43,6 +44,41 @@ std::vector<Polynomial> sturm_sequence(const Polynomial& p) {
     for (Rational& c : next) c = -c;
   }
   return sequence;
+}
+
+/// Whether p, of whole coefficients, and its derivative have no common factor modulo a prime that does not
+/// divide p's leading coefficient: then they have none, and no root of p is multiple.
+bool apart_modulo(const Polynomial& p) {
+  constexpr std::int64_t prime = 2147483647;
+  const auto inverse = [](std::int64_t a) {  // a^(prime - 2)
+    std::int64_t result = 1;
+    for (std::int64_t e = prime - 2; e > 0; e /= 2, a = a * a % prime)
+      if (e % 2 == 1) result = result * a % prime;
+    return result;
+  };
+  const auto trim = [](std::vector<std::int64_t>& q) {
+    while (!q.empty() && q.back() == 0) q.pop_back();
+  };
+  std::vector<std::int64_t> f, g;
+  for (const Rational& c : p)
+    f.push_back(Integer((mp::numerator(c) % prime + prime) % prime).convert_to<std::int64_t>());
+  if (f.back() == 0) return false;
+  for (std::size_t i = 1; i < f.size(); ++i)
+    g.push_back(f[i] * static_cast<std::int64_t>(i % static_cast<std::size_t>(prime)) % prime);
+  trim(g);
+  while (!g.empty()) {
+    const std::int64_t per_leading = inverse(g.back());
+    while (f.size() >= g.size()) {
+      const std::int64_t share = f.back() * per_leading % prime;
+      const std::size_t by = f.size() - g.size();
+      for (std::size_t i = 0; i < g.size(); ++i)
+        f[i + by] = (f[i + by] + prime - share * g[i] % prime) % prime;
+      trim(f);
+      if (f.empty()) break;
+    }
+    std::swap(f, g);
+  }
+  return f.size() == 1;
 }
 
 std::size_t sign_changes(const std::vector<int>& signs) {
@@ -122,22 +158,16 @@ std::size_t SturmSequence::distinct_roots(const Rational& low, const Rational& h
   return changes(low) - changes(high);
 }
 
-Rational discriminant(const Polynomial& p) {
-  // Euclid's algorithm: Res(f, g) = (-1)^(mn) lc(g)^(m - deg r) Res(g, r), r the remainder of f by g
-  Polynomial f = p, g = derivative(p);
-  Rational result = 1;
-  while (g.size() > 1) {
-    const std::size_t m = f.size() - 1, n = g.size() - 1;
-    Polynomial r = remainder(f, g);
-    if (r.empty()) return 0;
-    for (std::size_t i = 0; i < m - (r.size() - 1); ++i) result *= g.back();
-    if (m * n % 2 == 1) result = -result;
-    f = std::move(g);
-    g = std::move(r);
+Polynomial squarefree(const Polynomial& p) {
+  if (p.empty()) throw Error("polynomial", "zero", "a polynomial that is not identically zero");
+  if (apart_modulo(primitive(p))) return p;
+  const Polynomial common = sturm_sequence(p).back();  // of p and its derivative
+  Polynomial rest = p, quotient(p.size() - common.size() + 1, Rational(0));
+  for (std::size_t shift = quotient.size(); shift-- > 0;) {
+    quotient[shift] = rest[shift + common.size() - 1] / common.back();
+    for (std::size_t i = 0; i < common.size(); ++i) rest[i + shift] -= quotient[shift] * common[i];
   }
-  for (std::size_t i = 1; i < f.size(); ++i) result *= g.empty() ? Rational(0) : g.back();
-  const std::size_t degree = p.size() - 1;
-  return (degree * (degree - 1) / 2) % 2 == 1 ? Rational(-result / p.back()) : Rational(result / p.back());
+  return quotient;
 }
 
 }  // namespace plumbline::proofs

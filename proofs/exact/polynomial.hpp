@@ -42,7 +42,7 @@ class SturmSequence {
   std::vector<Polynomial> terms_;
 };
 
-/// Zero exactly where two roots of p, of degree one or more, are equal.
-Rational discriminant(const Polynomial& p);
+/// The polynomial with the roots of p, each once. \throws Error for p = 0
+Polynomial squarefree(const Polynomial& p);
 
 }  // namespace plumbline::proofs

@@ -1,6 +1,9 @@
 #pragma once
 /// \file
-/// Positive real roots of exact polynomials one after the other, isolated by Sturm's theorem.
+/// Positive real roots of exact polynomials, isolated by Descartes' rule of signs: the changes of sign among
+/// the coefficients of (1 + x)^n p((a + b x) / (1 + x)) are as many as the roots between a and b, or more by
+/// an even number; where there are none or one, they are exact, and halving leads there (Vincent; Collins and
+/// Akritas, Polynomial Real Root Isolation Using Descartes' Rule of Signs, 1976).
 
 #include <optional>
 #include <string>
@@ -9,7 +12,7 @@
 
 namespace plumbline::proofs {
 
-/// low < root < high, and no other root there; neither end is one.
+/// low < root < high, and no other root there; neither end is one, and low is positive.
 struct RootBracket {
   Rational low, high;
 };
@@ -17,17 +20,18 @@ struct RootBracket {
 class PositiveRoots {
  public:
   /// \throws Error for p = 0
-  explicit PositiveRoots(Polynomial p);
+  explicit PositiveRoots(const Polynomial& p);
 
-  /// The lowest root above `from`, which is no root, or is zero; nothing where there is none.
-  [[nodiscard]] std::optional<RootBracket> next(const Rational& from) const;
-  /// Whether the root in a bracket lies at x or below.
+  /// Ascending, each root once.
+  [[nodiscard]] const std::vector<RootBracket>& all() const { return all_; }
+  /// Whether the root in a bracket lies at x, which is in the bracket, or below.
   [[nodiscard]] bool reached(const RootBracket& bracket, const Rational& x) const;
+  /// The root in a bracket where it is a fraction of up to twenty digits over as many; else nothing.
+  [[nodiscard]] std::optional<Rational> as_fraction(const RootBracket& bracket) const;
 
  private:
-  Polynomial p_;
-  SturmSequence sturm_;
-  Rational end_;  ///< beyond all roots
+  Polynomial p_;  ///< each root once, so that it has another sign to either side
+  std::vector<RootBracket> all_;
 };
 
 /// A number in a bracket, to so many digits.
@@ -42,7 +46,6 @@ template <class Reached>
 NarrowBracket narrowed(RootBracket bracket, int digits, const Reached& reached);
 
 }  // namespace plumbline::proofs
-
 #include "proofs/exact/decimal.hpp"
 
 namespace plumbline::proofs {

@@ -6,6 +6,7 @@
 #include <plumbline/base/bordered_band.hpp>
 
 #include "proofs/exact/decimal.hpp"
+#include "proofs/exact/exactly.hpp"
 #include "proofs/exact/found_forces.hpp"
 #include "proofs/exact/working_precision.hpp"
 
@@ -29,6 +30,9 @@ struct Pairs {
   std::vector<Vector<Mpfr>> vectors;
 };
 
+/// A row of (K - F G) y that is zero in so many digits of its terms; a shape is shown in doubles.
+constexpr int shape_digits = 20;
+
 /// Positive factors, ascending, and their vectors: G y = K y / factor.
 Pairs factors_with(const SpacePencil<Rational>& pencil, std::size_t modes) {
   const Matrix<Mpfr> K = rounded(pencil.stiffness), G = rounded(pencil.load);
@@ -41,11 +45,40 @@ Pairs factors_with(const SpacePencil<Rational>& pencil, std::size_t modes) {
   return pairs;
 }
 
+/// Whether every row of (K - F G) y is zero but for what its terms lose in rounding to so many digits, or to
+/// twice as many those of a part that does not bend.
+bool balanced(const Matrix<Mpfr>& K, const Matrix<Mpfr>& G, const Mpfr& factor, const Vector<Mpfr>& y) {
+  const Mpfr share = pow(Mpfr(10), -shape_digits), largest = y.cwiseAbs().maxCoeff();
+  for (Eigen::Index i = 0; i < K.rows(); ++i) {
+    Mpfr sum(0), terms(0);
+    for (Eigen::Index j = 0; j < K.cols(); ++j) {
+      sum += (K(i, j) - factor * G(i, j)) * y(j);
+      terms += (abs(K(i, j)) + factor * abs(G(i, j))) * (abs(y(j)) + share * largest);
+    }
+    if (abs(sum) > terms * share) return false;
+  }
+  return true;
+}
+
+/// The vectors of factors that are enclosed, computed with so many digits; nothing where these are too few.
+std::optional<std::vector<Vector<Mpfr>>> vectors_with(const SpacePencil<Rational>& pencil, std::size_t modes,
+                                                      const std::vector<ForceEnclosure>& enclosed) {
+  Pairs pairs = factors_with(pencil, modes);
+  const Matrix<Mpfr> K = rounded(pencil.stiffness), G = rounded(pencil.load);
+  for (std::size_t m = 0; m < enclosed.size(); ++m) {
+    const Rational factor = exactly(pairs.factors[m]);
+    if (factor < enclosed[m].low || factor > enclosed[m].high ||
+        !balanced(K, G, pairs.factors[m], pairs.vectors[m]))
+      return std::nullopt;
+  }
+  return std::move(pairs.vectors);
+}
+
 }  // namespace
 
-StraightSpace::StraightSpace(const SpaceChain<Rational>& chain, const SpaceLoad<Rational>& load)
-    : axes_(chain.freedoms()), pencil_(space_pencil(chain, load)) {
-  for (const SpaceJoint<Rational>& joint : chain.joint) {
+StraightSpace::StraightSpace(const SpaceStructure<Rational>& structure)
+    : axes_(structure.chain.freedoms()), pencil_(space_pencil(structure)) {
+  for (const SpaceJoint<Rational>& joint : structure.chain.joint) {
     for (const Axis<Rational>& axis : joint.axes) {
       const auto& a = axis.direction;
       length_of_axis_.push_back(
@@ -75,37 +108,45 @@ std::vector<ForceEnclosure> StraightSpace::enclose(std::size_t lowest, int digit
     return counts;
   });
   for (int sure = digits + 12; !found.complete(); sure += sure / 2) {
+    require_affordable(sure);
     const WorkingPrecision precision(2 * sure);
     found.enclose(factors_with(pencil_, modes_).factors, sure);
   }
   return found.all();
 }
 
+std::vector<double> StraightSpace::angles(const Vector<Mpfr>& y) const {
+  const Vector<Mpfr> turns = rounded(pencil_.basis) * y;
+  std::vector<double> q(axes_, 0.0);
+  double largest = 0;
+  for (Eigen::Index i = 0; i < turns.size(); ++i) {
+    const std::size_t axis = pencil_.axis[static_cast<std::size_t>(i)];
+    q[axis] = static_cast<double>(turns(i)) * length_of_axis_[axis];
+    largest = std::max(largest, std::abs(q[axis]));
+  }
+  const double noise = 1e-15 * largest;
+  const auto first = std::find_if(q.begin(), q.end(), [&](double angle) { return std::abs(angle) > noise; });
+  const double scale = *first < 0 ? -largest : largest;
+  for (double& angle : q) angle = std::abs(angle) > noise ? angle / scale : 0;
+  return q;
+}
+
 std::vector<SpaceMode> StraightSpace::in_decimals(std::size_t lowest, int digits) const {
+  const std::vector<ForceEnclosure> enclosed = enclose(lowest, digits);
   std::vector<SpaceMode> modes;
-  for (const ForceEnclosure& factor : enclose(lowest, digits)) {
+  for (const ForceEnclosure& factor : enclosed) {
     const std::string low = to_decimal(factor.low, digits), high = to_decimal(factor.high, digits);
     const bool upper = low != high && below((*parse_decimal(low) + *parse_decimal(high)) / 2) < factor.index;
-    modes.push_back({upper ? high : low, std::vector<double>(axes_, 0.0)});
+    modes.push_back({upper ? high : low, {}});
   }
-  const WorkingPrecision precision(60);
-  const auto pairs = factors_with(pencil_, modes_);
-  const Matrix<Mpfr> basis = rounded(pencil_.basis);
-  for (std::size_t m = 0; m < modes.size(); ++m) {
-    const Vector<Mpfr> turns = basis * pairs.vectors[m];
-    double largest = 0;
-    for (Eigen::Index i = 0; i < turns.size(); ++i) {
-      const std::size_t axis = pencil_.axis[static_cast<std::size_t>(i)];
-      double& q = modes[m].q[axis];
-      q = static_cast<double>(turns(i)) * length_of_axis_[axis];
-      largest = std::max(largest, std::abs(q));
-    }
-    const auto first = std::find_if(modes[m].q.begin(), modes[m].q.end(),
-                                    [&](double q) { return std::abs(q) > 1e-12 * largest; });
-    for (double& q : modes[m].q)
-      q = std::abs(q) < 1e-15 * largest ? 0 : q / (*first < 0 ? -largest : largest);
+  for (int working = 2 * (digits + 24);; working *= 2) {
+    require_affordable(working);
+    const WorkingPrecision precision(working);
+    const auto vectors = vectors_with(pencil_, modes_, enclosed);
+    if (!vectors) continue;
+    for (std::size_t m = 0; m < modes.size(); ++m) modes[m].q = angles((*vectors)[m]);
+    return modes;
   }
-  return modes;
 }
 
 }  // namespace plumbline::proofs

@@ -82,7 +82,9 @@ struct Shape {
 };
 
 /// The force that the end point exerts on what holds it across, at deflections of the nodes.
-Mpfr across_end(const Structure<Rational>& structure, const Mpfr& factor, const std::vector<Mpfr>& w) {
+/// Zero where its terms cancel in so many digits.
+Mpfr across_end(const Structure<Rational>& structure, const Mpfr& factor, const std::vector<Mpfr>& w,
+                int digits) {
   if (structure.end_point.across.is_free()) return Mpfr(0);
   if (!structure.end_point.across.is_held())
     return from_rational<Mpfr>(structure.end_point.across.stiffness) * w.back();
@@ -95,30 +97,58 @@ Mpfr across_end(const Structure<Rational>& structure, const Mpfr& factor, const 
   for (std::size_t i = 0; i < w.size(); ++i) {
     if (pencil.unknown[i] >= 0) all(pencil.unknown[i]) = w[i];
   }
-  Mpfr force(0);
-  for (Eigen::Index d = 0; d <= 2 && d <= row; ++d) force -= T(d, row - d) * all(row - d);
-  return force;
+  Mpfr force(0), terms(0);
+  for (Eigen::Index d = 0; d <= 2 && d <= row; ++d) {
+    force -= T(d, row - d) * all(row - d);
+    terms += abs(T(d, row - d)) * all.cwiseAbs().maxCoeff();
+  }
+  return abs(force) > terms * pow(Mpfr(10), -digits) ? force : Mpfr(0);
 }
 
-/// The shapes at the lowest factors, computed with so many digits; the order of equal ones is open.
-std::vector<Shape> shapes_with(int digits, const Structure<Rational>& structure,
-                               const StraightPencil<Rational>& exact, std::size_t lowest, std::size_t modes) {
+/// Whether every row of (K - F G) w is zero but for what its terms lose in so many digits, or in twice as
+/// many those of a part that does not bend.
+bool balanced(const StraightPencil<Mpfr>& pencil, const Mpfr& factor, const Vector<Mpfr>& w, int digits) {
+  const Mpfr largest = w.cwiseAbs().maxCoeff(), share = pow(Mpfr(10), -digits);
+  Vector<Mpfr> sum = Vector<Mpfr>::Constant(w.size(), Mpfr(0)), terms = sum;
+  const auto add = [&](Eigen::Index row, Eigen::Index column, const Mpfr& k, const Mpfr& g) {
+    sum(row) += (k - factor * g) * w(column);
+    terms(row) += (abs(k) + factor * abs(g)) * (abs(w(column)) + share * largest);
+  };
+  for (Eigen::Index i = 0; i < w.size(); ++i) {
+    for (Eigen::Index d = 0; d <= 2 && i + d < w.size(); ++d) {
+      add(i + d, i, pencil.stiffness(d, i), pencil.load(d, i));
+      if (d > 0) add(i, i + d, pencil.stiffness(d, i), pencil.load(d, i));
+    }
+  }
+  for (Eigen::Index i = 0; i < w.size(); ++i) {
+    if (abs(sum(i)) > terms(i) * share) return false;
+  }
+  return true;
+}
+
+/// The shapes at the lowest factors, computed with so many digits and sure to some of them; the order of
+/// equal ones is open. Nothing where the digits are too few.
+std::optional<std::vector<Shape>> shapes_with(int digits, int sure, const Structure<Rational>& structure,
+                                              const StraightPencil<Rational>& exact, std::size_t lowest,
+                                              std::size_t modes) {
   const WorkingPrecision precision(digits);
   const StraightPencil<Mpfr> pencil = rounded(exact);
   const auto factors = critical_factors(pencil, lowest, modes);
+  if (factors.empty()) return std::nullopt;
   const Mpfr close = pow(Mpfr(10), -digits / 2);
   std::vector<Shape> shapes;
   std::vector<Vector<Mpfr>> tied;
   for (std::size_t m = 0; m < factors.size(); ++m) {
     if (m > 0 && factors[m] - factors[m - 1] > close * factors[m]) tied.clear();
     tied.push_back(critical_deflections(pencil, factors[m], tied));
+    if (!balanced(pencil, factors[m], tied.back(), sure)) return std::nullopt;
     const auto w = pencil.deflections(tied.back());
-    shapes.push_back({joint_angles_of(structure, w), across_end(structure, factors[m], w)});
+    shapes.push_back({joint_angles_of(structure, w), across_end(structure, factors[m], w, 3 * sure / 2)});
   }
   return shapes;
 }
 
-/// What rounding leaves of an angle that is zero changes with the digits.
+/// What rounding leaves of a value that is zero beside others changes with the digits.
 void clear_noise(std::vector<Mpfr>& q, int digits) {
   Mpfr largest(0);
   for (const Mpfr& angle : q) largest = std::max(largest, Mpfr(abs(angle)));
@@ -183,6 +213,7 @@ std::vector<ForceEnclosure> StraightStructure::enclose(std::size_t lowest, int d
                     [&](const std::vector<Rational>& factors) { return count_below(pencil_, factors); });
   const int lost = 4 + static_cast<int>(4 * std::log10(static_cast<double>(pencil_.size()) + 1));
   for (int sure_digits = digits + 12; !found.complete(); sure_digits += sure_digits / 2) {
+    require_affordable(sure_digits);
     const WorkingPrecision precision(sure_digits + lost);
     found.enclose(critical_factors(proofs::rounded(pencil_), lowest, modes_), sure_digits);
   }
@@ -211,6 +242,9 @@ std::vector<CriticalMode> StraightStructure::in_decimals(std::size_t lowest, int
 
 void StraightStructure::add_string_shapes(std::vector<CriticalMode>& modes, int digits) const {
   auto found = modes_in_decimals(string_->straight(), modes.size(), digits);
+  // the springs of a guided string are shares of the compression, and so is the force that its guide takes up
+  const Rational unit =
+      string_->end_point == EndPoint::guided ? compression(structure_).multiplied[0] : Rational(1);
   for (std::size_t m = 0; m < modes.size(); ++m) {
     std::vector<double> q(structure_.chain.size(), 0.0);
     std::string signs(structure_.chain.size(), '0');
@@ -227,22 +261,28 @@ void StraightStructure::add_string_shapes(std::vector<CriticalMode>& modes, int 
     }
     Rational size;
     mpq_set_d(size.backend().data(), scale == 0 ? 1 : scale);
-    modes[m].fy = found[m].fy / size;
+    modes[m].fy = found[m].fy * unit / size;
   }
 }
 
 void StraightStructure::add_pencil_shapes(std::vector<CriticalMode>& modes, int digits) const {
   const int lost = 4 + static_cast<int>(4 * std::log10(static_cast<double>(pencil_.size()) + 1));
   const int sure = std::max(digits, 16) + 24;
-  auto shapes = shapes_with(2 * (sure + lost), structure_, pencil_, modes.size(), modes_);
-  const WorkingPrecision precision(2 * (sure + lost));
+  std::optional<std::vector<Shape>> shapes;
+  int working = 2 * (sure + lost);
+  for (; !shapes; working *= 2) {
+    require_affordable(working);
+    shapes = shapes_with(working, sure, structure_, pencil_, modes.size(), modes_);
+  }
+  const WorkingPrecision precision(working);
   for (std::size_t m = 0; m < modes.size(); ++m) {
-    std::vector<Mpfr>& q = shapes[m].q;
+    std::vector<Mpfr>& q = (*shapes)[m].q;
     clear_noise(q, sure);
     const Mpfr scale = scale_of(q);
-    for (const Mpfr& angle : q) modes[m].q.push_back(static_cast<double>(Mpfr(angle / scale)));
+    for (const Mpfr& angle : q)
+      modes[m].q.push_back(angle == 0 ? 0.0 : static_cast<double>(Mpfr(angle / scale)));
     for (const Mpfr& angle : q) modes[m].signs += angle == 0 ? '0' : (angle / scale < 0 ? '-' : '+');
-    modes[m].fy = exactly(Mpfr(shapes[m].fy / scale));
+    modes[m].fy = exactly(Mpfr((*shapes)[m].fy / scale));
   }
 }
 

@@ -32,9 +32,12 @@ bool on(const BentBranch<double>& branch, const BentPoint<double>& point, double
   return false;
 }
 
-bool is_new(const std::vector<BentPoint<double>>& known, const BentPoint<double>& point) {
-  return std::none_of(known.begin(), known.end(),
-                      [&](const BentPoint<double>& one) { return (one.x - point.x).norm() < 1e-6; });
+/// Half a turn either way of a passive joint is one shape.
+bool is_new(const BentStructure<double>& model, const std::vector<BentPoint<double>>& known,
+            const BentPoint<double>& point) {
+  return std::none_of(known.begin(), known.end(), [&](const BentPoint<double>& one) {
+    return (model.unwound(model.rest() + one.x - point.x) - model.rest()).norm() < 1e-6;
+  });
 }
 
 }  // namespace
@@ -85,8 +88,10 @@ std::vector<BentPoint<double>> find_equilibria(const BentStructure<double>& mode
       for (Eigen::Index i = 0; i < x.size(); ++i)
         x(i) += turn * (2.0 * static_cast<double>(random() >> 11) / 9007199254740992.0 - 1);
     }
-    const auto point = solver.at_factor(x, factor, none);
-    if (point && (point->x - rest).cwiseAbs().maxCoeff() <= turn && is_new(found, *point))
+    auto point = solver.at_factor(x, factor, none);
+    if (!point) continue;
+    point->x = model.unwound(point->x);
+    if ((point->x - rest).cwiseAbs().maxCoeff() <= turn && is_new(model, found, *point))
       found.push_back(*point);
   }
   std::stable_sort(found.begin(), found.end(), [&](const auto& a, const auto& b) {

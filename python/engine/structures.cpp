@@ -1,62 +1,56 @@
 #include <nlohmann/json.hpp>
 
-#include "app/chain_file.hpp"
-#include "app/space_file.hpp"
 #include "proofs/certificates/certificate.hpp"
 #include "proofs/certificates/structure_certificate.hpp"
 #include "proofs/exact/critical_torque.hpp"
 #include "proofs/exact/straight_space.hpp"
 #include "python/engine/engine.hpp"
+#include "statement/chain_file.hpp"
+#include "statement/stated.hpp"
 
 namespace plumbline::python {
 namespace {
 
 constexpr const char* source = "chain";
 
-Structure<Rational> straight_structure(const std::string& text) {
-  Structure<Rational> structure = app::parse_structure(text, source).structure;
-  for (const Rational& angle : structure.chain.rest()) {
-    if (angle != 0)
-      throw Error("rest", "an angle that is not zero", "zero: only the straight chain has factors");
+/// A straight one; in space, one under forces or a torque.
+statement::StatedChain straight_chain(const std::string& text) {
+  statement::StatedChain chain = statement::parse_chain(text, source);
+  if (const auto* plane = std::get_if<statement::PlaneChain>(&chain)) {
+    for (const Rational& angle : plane->structure.chain.rest()) {
+      if (angle != 0)
+        throw Error("rest", "an angle that is not zero", "zero: only the straight chain has factors");
+    }
   }
-  return structure;
+  return chain;
 }
 
-app::SpaceCase straight_in_space(const std::string& text) {
-  app::SpaceCase space = app::parse_space_chain(text, source);
-  if (!space.axial) throw Error("loads", "loads across the chain, which bend it", "loads along x");
-  return space;
+Structure<Rational> straight_structure(const std::string& text) {
+  const auto chain = straight_chain(text);
+  if (const auto* plane = std::get_if<statement::PlaneChain>(&chain)) return plane->structure;
+  throw Error(source, "a chain in space", "one in the plane");
 }
 
-std::string certificate_in_space(const std::string& name, const std::string& text, std::size_t lowest,
-                                 int digits, const std::string& command) {
-  const app::SpaceCase space = straight_in_space(text);
-  if (space.torque) throw Error("loads", "a torque", "forces: no certificate is made of a torque");
-  const proofs::StraightSpace straight(space.chain, space.straight);
-  return certificate_text(
-      proofs::structure_certificates, command,
-      proofs::structure_certificate(name, space.chain, space.straight, straight, lowest, digits));
-}
-
-Decimals factors_in_space(const std::string& text, std::size_t lowest, int digits) {
-  const app::SpaceCase space = straight_in_space(text);
-  if (space.torque)
-    return {proofs::critical_torque(space.chain, space.straight, *space.torque, digits).value.decimal};
+Decimals factors_of(const SpaceStructure<Rational>& structure, std::size_t lowest, int digits) {
+  if (structure.torque) return {proofs::critical_torque(structure, digits).value.decimal};
   Decimals all;
-  for (const proofs::SpaceMode& mode :
-       proofs::StraightSpace(space.chain, space.straight).in_decimals(lowest, digits))
+  for (const proofs::SpaceMode& mode : proofs::StraightSpace(structure).in_decimals(lowest, digits))
+    all.push_back(mode.force);
+  return all;
+}
+
+Decimals factors_of(const statement::PlaneChain& chain, std::size_t lowest, int digits) {
+  Decimals all;
+  for (const proofs::CriticalMode& mode :
+       proofs::StraightStructure(chain.structure).in_decimals(lowest, digits, false))
     all.push_back(mode.force);
   return all;
 }
 
 Decimals critical_factors(const std::string& text, std::size_t lowest, int digits) {
   return unlocked([&] {
-    if (app::is_space_chain(text, source)) return factors_in_space(text, lowest, digits);
-    Decimals all;
-    for (const proofs::CriticalMode& mode :
-         proofs::StraightStructure(straight_structure(text)).in_decimals(lowest, digits, false))
-      all.push_back(mode.force);
-    return all;
+    return std::visit([&](const auto& chain) { return factors_of(chain, lowest, digits); },
+                      straight_chain(text));
   });
 }
 
@@ -64,22 +58,34 @@ py::dict stability_loss(const std::string& text, int digits) {
   const proofs::StabilityLoss loss =
       unlocked([&] { return proofs::stability_loss(straight_motion(straight_structure(text)), digits); });
   py::dict all;
-  all["kind"] = loss.kind == proofs::Motion::flutter ? "flutter" : "divergence";
+  all["kind"] = name_of(loss.kind);
   all["factor"] = loss.factor, all["first"] = loss.first;
   return all;
+}
+
+nlohmann::json certificate_of(const std::string& name, const nlohmann::json& stated,
+                              const SpaceStructure<Rational>& structure, std::size_t lowest, int digits) {
+  if (structure.torque) throw Error("loads", "a torque", "forces: no certificate is made of a torque");
+  return proofs::structure_certificate(name, stated, proofs::StraightSpace(structure), lowest, digits);
+}
+
+nlohmann::json certificate_of(const std::string& name, const nlohmann::json& stated,
+                              const statement::PlaneChain& chain, std::size_t lowest, int digits) {
+  const Structure<Rational>& structure = chain.structure;
+  if (structure.follower())
+    return proofs::structure_certificate(name, stated,
+                                         proofs::stability_loss(straight_motion(structure), digits), digits);
+  return proofs::structure_certificate(name, stated, proofs::StraightStructure(structure), lowest, digits);
 }
 
 std::string certificate_of_structure(const std::string& name, const std::string& text, std::size_t lowest,
                                      int digits, const std::string& command) {
   return unlocked([&] {
-    if (app::is_space_chain(text, source)) return certificate_in_space(name, text, lowest, digits, command);
-    const Structure<Rational> structure = straight_structure(text);
-    const nlohmann::json entry =
-        structure.follower()
-            ? proofs::structure_certificate(
-                  name, structure, proofs::stability_loss(straight_motion(structure), digits), digits)
-            : proofs::structure_certificate(name, structure, proofs::StraightStructure(structure), lowest,
-                                            digits);
+    const nlohmann::json entry = std::visit(
+        [&](const auto& chain) {
+          return certificate_of(name, statement::stated(text, source), chain, lowest, digits);
+        },
+        straight_chain(text));
     return certificate_text(proofs::structure_certificates, command, entry);
   });
 }

@@ -160,6 +160,15 @@ class Strangers(unittest.TestCase):
             self.assertNotIn(b"200 OK", self.server.raw(text, 5))
         self.still_there()
 
+    def test_requests_that_never_end_stall_nobody(self):
+        with contextlib.ExitStack() as open_lines:
+            for _ in range(40):
+                line = open_lines.enter_context(socket.create_connection(("127.0.0.1", self.server.port), timeout=5))
+                line.sendall(b"GET / HTTP/1.1\r\nHost:")
+            begin = time.monotonic()
+            self.still_there()
+            self.assertLess(time.monotonic() - begin, 3)  # a request that waited for one of them would take five
+
     def test_hostile_files_are_answered_in_a_line(self):
         page, rows = self.server.path, (BENCH / "u-press.csv").read_bytes()
         bomb = b'<!DOCTYPE x [<!ENTITY a "aaaa"><!ENTITY b "&a;&a;">]>' + ARM.encode()

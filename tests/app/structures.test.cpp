@@ -69,7 +69,7 @@ TEST_CASE("what a chain file says wrong of ends and loads is named in one line")
       {chain + "masses = [1]\nloads = [{ follower = 1 }]\n", "masses"},
       {"beam = { EI = 1, E = 1, length = 1, links = 3 }\n", "EI"},
       {"beam = { EI = 1, length = 1, links = 2.5 }\n", "whole number"},
-      {chain + "beam = { EI = 1, length = 1, links = 3 }\n", "beside lengths"},
+      {chain + "beam = { EI = 1, length = 1, links = 3 }\n", "beside a beam"},
       {"lengths = [1]\njoints = [{ axes = [[0, 0]], stiffness = [1] }]\n", "three"},
       {"lengths = [1, 1]\njoints = [{ axes = [[0, 0, 1]], stiffness = [1] }]\n", "one for each link"},
   };
@@ -95,8 +95,16 @@ TEST_CASE("certificates of other ends and loads hold for the checker, which noth
     const std::string check = "python3 -B '" + sources + "/proofs/certificates/check_structures.py' '" +
                               (here / "p.json").string() + "' >/dev/null 2>&1";
     CHECK(std::system(check.c_str()) == 0);
+    const auto of = [&](const char* other) {
+      const std::string files = "'" + (here / "p.json").string() + "' --of '" + (here / other).string() + "'";
+      return std::system(("python3 -B '" + sources + "/proofs/certificates/check_structures.py' " + files +
+                          " >/dev/null 2>&1")
+                             .c_str());
+    };
+    CHECK(of(chain) == 0);
+    CHECK(of(std::string(chain) == "c.toml" ? "f.toml" : "c.toml") != 0);
     auto forged = nlohmann::json::parse(here.read("p.json"));
-    forged["certificates"][0]["stiffness"][0] = "2";
+    forged["certificates"][0]["chain"]["stiffness"][0] = "2";
     here.write("p.json", forged.dump());
     CHECK(std::system(check.c_str()) != 0);
   }

@@ -61,8 +61,10 @@ def straight_chains(folder):
     (folder / "twisted.toml").write_text(f"lengths = [1, 1, 1]\njoints = [{alike}, {alike}, {alike}]\n" + 'end_point = "clamped"\nloads = [{ torque = "semitangential" }]\n', encoding="utf-8")
     (folder / "ziegler.toml").write_text('lengths = [1, 1]\nstiffness = [1, 1]\nend_point = "free"\nloads = [{ follower = 1 }]\n',
                                          encoding="utf-8")
-    hold("critical", [written("critical", folder=folder),
-                      *(written("critical", name, folder=folder) for name in ("space.toml", "twisted.toml", "ziegler.toml")),
+    (folder / "touching.toml").write_text('lengths = [1, 1]\nstiffness = [1, 1]\nend_point = "free"\nmasses = [2, 1]\n'
+                                          "loads = [{ follower = 5 }, { force = [-4, 0] }]\n", encoding="utf-8")
+    chains = ("space.toml", "twisted.toml", "ziegler.toml", "touching.toml")
+    hold("critical", [written("critical", folder=folder), *(written("critical", name, folder=folder) for name in chains),
                       written("critical", "chains.csv", "--all", "--digits", "30", folder=folder, statuses=[2])])
     hold("check", [written("check", "values.csv", "--chains", "good.csv", folder=folder, statuses=[1])])
 

@@ -14,6 +14,7 @@
 #include "proofs/exact/as_double.hpp"
 #include "proofs/exact/decimal.hpp"
 #include "proofs/exact/straight_space.hpp"
+#include "statement/stated.hpp"
 #include "tests/proofs/certificates/stand_alone.hpp"
 
 using namespace plumbline;
@@ -190,7 +191,7 @@ bool attack_straight(const Structure<Rational>& structure, StructureAdversary& a
                  15) == here);
   CHECK(decimals(StraightStructure(reversed(structure)), 15) == here);
   if (adversary.one_in(5))
-    certificates.push_back(structure_certificate("adversary", structure, *straight, 99, 20));
+    certificates.push_back(structure_certificate("adversary", statement::stated(structure), *straight, 99, 20));
   return true;
 }
 
@@ -209,15 +210,15 @@ void attack_in_space(StructureAdversary& adversary) {
     joints.push_back({{{{0, -s * stretch, c * stretch}, weak.back()}, {{0, c, s}, strong.back()}}});
     if (adversary.one_in(3)) joints.back().axes.push_back({{1, 0, 0}, adversary.size()});  // twist
   }
-  SpaceLoad<Rational> load;
-  load.compression.multiplied.assign(n, 1);
+  SpaceStructure<Rational> structure{SpaceChain<Rational>(length, joints)};
+  structure.add_compression();
   std::vector<Rational> planar;
   for (const auto* stiffness : {&weak, &strong}) {
     for (const auto& mode : forces_in_decimals(Chain<Rational>(length, *stiffness), 99, 15))
       planar.push_back(*parse_decimal(mode.force));
   }
   std::sort(planar.begin(), planar.end());
-  const auto modes = StraightSpace(SpaceChain<Rational>(length, joints), load).in_decimals(99, 15);
+  const auto modes = StraightSpace(structure).in_decimals(99, 15);
   REQUIRE(modes.size() == planar.size());
   for (std::size_t m = 0; m < modes.size(); ++m) CHECK(*parse_decimal(modes[m].force) == planar[m]);
 }

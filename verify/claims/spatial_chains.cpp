@@ -149,16 +149,15 @@ SpatialChain spatial_chain(const Interval& angle) {
 proofs::StraightSpace in_fractions(const SpatialChain& chain, const Rational& weight) {
   const std::size_t n = chain.size();
   std::vector<SpaceJoint<Rational>> joints;
-  SpaceLoad<Rational> load;
   for (std::size_t i = 0; i < n; ++i) {
     const Rational y = chain.plane[i] == 1 ? Rational(0) : Rational(-4, 5),
                    z = chain.plane[i] == 1 ? 1 : Rational(3, 5);
     joints.push_back({{{{0, y, z}, chain.stiffness[i]}}});
-    load.compression.multiplied.emplace_back(1);
-    load.compression.fixed.push_back(weight * (2 * static_cast<int>(n - i) - 1) /
-                                     2);  // half its own, all beyond
   }
-  return {SpaceChain<Rational>(chain.length, std::move(joints)), load};
+  SpaceStructure<Rational> structure(SpaceChain<Rational>(chain.length, std::move(joints)));
+  structure.add_compression();
+  for (std::size_t link = 1; link <= n; ++link) structure.add_weight(link, {-weight, 0, 0}, false);
+  return proofs::StraightSpace(structure);
 }
 
 Judgement minimum_of_planes(const Printed& printed, int digits) {

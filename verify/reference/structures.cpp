@@ -6,6 +6,8 @@
 
 #include "proofs/certificates/structure_certificate.hpp"
 #include "proofs/exact/decimal.hpp"
+#include "proofs/exact/exact_list.hpp"
+#include "statement/stated.hpp"
 #include "verify/reference/draw.hpp"
 #include "verify/reference/set.hpp"
 
@@ -99,12 +101,12 @@ void add_springs_and_loads(Cases& cases, std::size_t n) {
 void add_followers(Cases& cases, std::size_t most) {
   for (std::size_t n = 2; n <= most; ++n) {
     Structure<Rational> structure = with_ends(n, "fixed-free");
-    structure.mass.assign(n, Rational(1));
+    structure.mass.assign(n + 1, Rational(1));
     structure.loads.push_back({n, {-1, 0}, true, LoadKind::follower});
     cases.add(fmt::format("follower-{}", n), structure, 1);
   }
   Structure<Rational> ziegler = with_ends(2, "fixed-free");
-  ziegler.mass = {2, 1};
+  ziegler.mass = {0, 2, 1};
   ziegler.loads.push_back({2, {-1, 0}, true, LoadKind::follower});
   cases.add("follower-ziegler", ziegler, 1);
 }
@@ -164,25 +166,60 @@ std::vector<StructureCase> structure_cases(ReferenceSize size, std::uint64_t see
   return cases.all();
 }
 
+namespace {
+
+std::string text(const Restraint<Rational>& restraint) {
+  if (restraint.is_held()) return "held";
+  return restraint.is_free() ? "free" : proofs::to_exact(restraint.stiffness);
+}
+
+json to_json(const Support<Rational>& support) {
+  return {{"along", text(support.along)}, {"across", text(support.across)}, {"turn", text(support.turn)}};
+}
+
+/// Everything at its node. The base does not move, so that it takes what acts there.
+json assembled(const StructureCase& one) {
+  const Structure<Rational>& structure = one.structure;
+  json across = json::array(), loads = json::array();
+  for (std::size_t node = 1; node < structure.chain.size(); ++node)
+    across.push_back(text(structure.across_at(node)));
+  for (const Load<Rational>& load : structure.loads) {
+    if (load.node == 0) continue;
+    loads.push_back({{"at", load.node},
+                     {"force", proofs::to_exact(load.force.x)},
+                     {"multiplied", load.multiplied ? 1 : 0},
+                     {"follows", load.kind == LoadKind::follower ? 1 : 0}});
+  }
+  return {{"structure", one.name},
+          {"lengths", proofs::exact_list(structure.chain.length())},
+          {"stiffness", proofs::exact_list(structure.chain.stiffness())},
+          {"base", to_json(structure.base)},
+          {"end_point", to_json(structure.end_point)},
+          {"across", across},
+          {"loads", loads}};
+}
+
+}  // namespace
+
 StructureEntry structure_entry(const StructureCase& one) {
-  json certificate;
+  const json chain = statement::stated(one.structure);
+  json certificate, entry = assembled(one);
   json factors = json::array();
   std::string kind = "buckling";
   if (one.structure.follower()) {
     const auto loss = proofs::stability_loss(straight_motion(one.structure), reference_digits);
-    certificate = proofs::structure_certificate(one.name, one.structure, loss, reference_digits);
+    certificate = proofs::structure_certificate(one.name, chain, loss, reference_digits);
     factors.push_back(loss.factor);
-    kind = certificate["loss"]["kind"];
+    kind = name_of(loss.kind);
+    const std::vector<Rational> masses = one.structure.masses();
+    entry["masses"] = proofs::exact_list({masses.begin() + 1, masses.end()});
   } else {
     const proofs::StraightStructure straight(one.structure);
-    certificate =
-        proofs::structure_certificate(one.name, one.structure, straight, one.modes, reference_digits);
+    certificate = proofs::structure_certificate(one.name, chain, straight, one.modes, reference_digits);
+    entry["modes"] = straight.modes();
     for (const auto& mode : straight.in_decimals(one.modes, reference_digits, false))
       factors.push_back(mode.force);
   }
-  json entry = certificate;
-  entry.erase("factors");
-  entry.erase("loss");
   entry["kind"] = kind;
   entry["factor"] = factors;
   return {std::move(entry), std::move(certificate)};

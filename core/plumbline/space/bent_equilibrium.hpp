@@ -2,6 +2,10 @@
 /// \file
 /// Equilibria of a bent structure at a factor of its loads: by Newton's method, and where the energy flows.
 ///
+/// What holds the structure may hold the same motion twice, as a support beside a clamp does. So the rank of
+/// the constraints' gradients comes first: those that the others imply take no part in the equations and are
+/// only asked to hold, and the negative directions are those of the Hessian among the motions that are left.
+///
 /// \code{.cpp}
 /// // An upright cantilever of two links under more than its critical load 0.38 k / L leans to one side.
 /// Structure<double> column(Chain<double>({1, 1}, {1, 1}));
@@ -34,6 +38,38 @@ struct BentPoint {
   Real tangent_factor{0};  ///< change of the factor: together of length one in the branch's measure
 };
 
+namespace detail {
+
+/// Rows that span all rows: the pivots of an elimination. What it leaves of a row that depends on others is
+/// rounding, some units of the size of that row in the last place.
+template <Floating Real>
+std::vector<Eigen::Index> independent_rows(Matrix<Real> rows) {
+  using std::abs;
+  const Real rounding = Real(64 * static_cast<double>(rows.cols() + 1)) * epsilon<Real>();
+  std::vector<Eigen::Index> open, found;
+  for (Eigen::Index i = 0; i < rows.rows(); ++i) {
+    const Real size = rows.row(i).cwiseAbs().maxCoeff();
+    if (!(size > Real(0))) continue;
+    rows.row(i) /= size;
+    open.push_back(i);
+  }
+  while (!open.empty()) {
+    Eigen::Index column = 0;
+    const auto largest = [&](Eigen::Index i) { return rows.row(i).cwiseAbs().maxCoeff(); };
+    const auto best = std::max_element(
+        open.begin(), open.end(), [&](Eigen::Index a, Eigen::Index b) { return largest(a) < largest(b); });
+    const Eigen::Index pivot = *best;
+    if (!(rows.row(pivot).cwiseAbs().maxCoeff(&column) > rounding)) break;
+    open.erase(best);
+    found.push_back(pivot);
+    for (const Eigen::Index i : open)
+      rows.row(i) -= (rows(i, column) / rows(pivot, column)) * rows.row(pivot);
+  }
+  return found;
+}
+
+}  // namespace detail
+
 /// Newton's method for one model. Dense, O(n^3) a step.
 template <Floating Real>
 class BentSolver {
@@ -63,9 +99,9 @@ class BentSolver {
     const Real enough = Real(1000) * epsilon<Real>();
     Real last(-1);
     for (int iteration = 0; iteration < most; ++iteration) {
-      model_->expand(point.x, point.factor, point.multiplier, at_);
+      expand(point.x, point.factor, point.multiplier);
       Vector<Real> right(unknowns() + 1);
-      right << -at_.gradient, -at_.held,
+      right << -at_.gradient, asked(),
           row.right - row.x.dot(point.x - from.x) - row.multiplier.dot(point.multiplier - from.multiplier) -
               row.factor * (point.factor - from.factor);
       const Vector<Real> step = solve(row, right);
@@ -92,17 +128,17 @@ class BentSolver {
     Vector<Real> multiplier = Vector<Real>::Constant(model_->held(), Real(0));
     Real damping(-1);
     for (int step = 0; step < 5000; ++step) {
-      model_->expand(x, factor, multiplier, at_);
+      expand(x, factor, multiplier);
       const Real stiffest = at_.hessian.diagonal().cwiseAbs().maxCoeff();
       if (damping < Real(0)) damping = Real(10) * stiffest;
       Matrix<Real> K = matrix(damping);
       Matrix<Real> counted = K;
-      if (negative_eigenvalues(counted) > static_cast<std::size_t>(model_->held())) {
+      if (negative_eigenvalues(counted) > rank_) {
         damping *= Real(4);
         continue;
       }
       Vector<Real> right(unknowns());
-      right << -at_.gradient, -at_.held;
+      right << -at_.gradient, asked();
       const Vector<Real> change = K.partialPivLu().solve(right);
       const Real turn = change.head(model_->size()).cwiseAbs().maxCoeff();
       if (!is_finite(turn)) break;
@@ -125,10 +161,13 @@ class BentSolver {
   /// The direction in which the equations are most nearly singular at fixed factor: unknowns of length one,
   /// at right angles to what is held.
   Vector<Real> weakest_direction(const BentPoint<Real>& point) {
-    model_->expand(point.x, point.factor, point.multiplier, at_);
+    expand(point.x, point.factor, point.multiplier);
     const auto lu = matrix(Real(0)).fullPivLu();
     Vector<Real> v(unknowns());
-    for (Eigen::Index i = 0; i < v.size(); ++i) v(i) = Real(1) / Real(static_cast<double>(i) + 1.5);
+    for (Eigen::Index i = 0; i < v.size(); ++i)
+      v(i) = i >= model_->size() && implied(i - model_->size())
+                 ? Real(0)
+                 : Real(1) / Real(static_cast<double>(i) + 1.5);
     for (int step = 0; step < 8; ++step) {
       v = lu.solve(v).eval();
       v /= v.norm();
@@ -143,14 +182,46 @@ class BentSolver {
  private:
   [[nodiscard]] Eigen::Index unknowns() const { return model_->size() + model_->held(); }
 
-  /// [H + damping, C^T; C, 0], whose second unknowns are minus the multipliers.
+  void expand(const Vector<Real>& x, const Real& factor, const Vector<Real>& multiplier) {
+    model_->expand(x, factor, multiplier, at_);
+    const auto independent = detail::independent_rows(at_.held_gradient);
+    rank_ = independent.size();
+    implied_.assign(static_cast<std::size_t>(model_->held()), true);
+    for (const Eigen::Index row : independent) implied_[static_cast<std::size_t>(row)] = false;
+  }
+  /// Whether a constraint follows from others at the shape that was expanded.
+  [[nodiscard]] bool implied(Eigen::Index row) const { return implied_[static_cast<std::size_t>(row)]; }
+  /// The changes of what is held that lead to where it is to be; of implied constraints, none.
+  [[nodiscard]] Vector<Real> asked() const {
+    Vector<Real> change = -at_.held;
+    for (Eigen::Index i = 0; i < change.size(); ++i) {
+      if (implied(i)) change(i) = Real(0);
+    }
+    return change;
+  }
+  /// Whether everything is held, what the others imply too, and every component of the forces is balanced:
+  /// where constraints are dependent at one shape alone the equations may be solved without either.
+  [[nodiscard]] bool at_rest(const Real& factor) const {
+    const Real enough = Real(1e5) * epsilon<Real>();
+    if (at_.held.size() > 0 && at_.held.cwiseAbs().maxCoeff() > enough * model_->reach()) return false;
+    return !(at_.gradient.cwiseAbs().maxCoeff() > enough * model_->moment_scale(factor));
+  }
+
+  /// [H + damping, C^T; C, 0], whose second unknowns are minus the multipliers; a constraint that others
+  /// imply has a one of its own in place of its row and column.
   [[nodiscard]] Matrix<Real> matrix(const Real& damping) const {
     const Eigen::Index n = model_->size(), c = model_->held();
     Matrix<Real> K = Matrix<Real>::Constant(n + c, n + c, Real(0));
     K.topLeftCorner(n, n) = at_.hessian;
     for (Eigen::Index i = 0; i < n; ++i) K(i, i) += damping;
-    K.topRightCorner(n, c) = at_.held_gradient.transpose();
-    K.bottomLeftCorner(c, n) = at_.held_gradient;
+    for (Eigen::Index i = 0; i < c; ++i) {
+      if (implied(i)) {
+        K(n + i, n + i) = Real(1);
+      } else {
+        K.block(n + i, 0, 1, n) = at_.held_gradient.row(i);
+        K.block(0, n + i, n, 1) = at_.held_gradient.row(i).transpose();
+      }
+    }
     return K;
   }
   Vector<Real> solve(const Row& row, const Vector<Real>& right) const {
@@ -169,11 +240,13 @@ class BentSolver {
     point.multiplier -= step.segment(model_->size(), model_->held());
     point.factor += step(unknowns());
   }
-  BentPoint<Real> described(BentPoint<Real> point, const Row& row) {
-    model_->expand(point.x, point.factor, point.multiplier, at_);
+  /// Nothing where it is not at rest.
+  std::optional<BentPoint<Real>> described(BentPoint<Real> point, const Row& row) {
+    expand(point.x, point.factor, point.multiplier);
+    if (!at_rest(point.factor)) return std::nullopt;
     Matrix<Real> K = matrix(Real(0));
-    const std::size_t negative = negative_eigenvalues(K), held = static_cast<std::size_t>(model_->held());
-    point.negative_directions = negative > held ? negative - held : 0;
+    const std::size_t negative = negative_eigenvalues(K);
+    point.negative_directions = negative > rank_ ? negative - rank_ : 0;
     Vector<Real> right = Vector<Real>::Constant(unknowns() + 1, Real(0));
     right(unknowns()) = Real(1);
     const Vector<Real> t = solve(row, right);
@@ -185,6 +258,8 @@ class BentSolver {
 
   const BentStructure<Real>* model_;
   BentExpansion<Real> at_;
+  std::size_t rank_ = 0;       ///< of the constraints there
+  std::vector<bool> implied_;  ///< which of them follow from the others
 };
 
 }  // namespace plumbline

@@ -9,8 +9,7 @@
 
 #include <Eigen/Dense>
 #include <cmath>
-#include <plumbline/space/space_chain.hpp>
-#include <plumbline/structure/structure.hpp>
+#include <plumbline/space/space_structure.hpp>
 
 namespace plumbline {
 
@@ -27,7 +26,7 @@ struct SpaceSetting {
   };
   /// A force of constant direction.
   struct Force {
-    std::size_t node;  ///< where it acts, from 1
+    std::size_t node;  ///< where it acts, from 0, the base
     Place force;       ///< exerted on the chain, at factor 1
     bool multiplied;   ///< by the factor; else it is there as it stands
   };
@@ -59,7 +58,7 @@ class BentStructure {
   using Real = Number_;                     ///< the number type
   using Place = Eigen::Matrix<Real, 3, 1>;  ///< a point or a vector, x, y, z
 
-  /// At rest all springs, those of the supports among them, are slack.
+  /// At rest all springs, those of the supports among them, are slack. \throws Error where nothing can move
   BentStructure(SpaceChain<Real> chain, SpaceSetting<Real> setting)
       : chain_(std::move(chain)), setting_(std::move(setting)) {
     using std::sqrt;
@@ -73,6 +72,8 @@ class BentStructure {
     for (std::size_t a = 0; a < axes_.size(); ++a) {
       if (axes_[a].turns) free_.push_back(a);
     }
+    if (size() == 0)
+      throw Error("structure", "nothing that can move", "a joint that turns, or a base that slides");
     const Kinematics at_rest = kinematics(rest());
     rest_place_ = at_rest.place;
     rest_direction_ = at_rest.direction;
@@ -101,6 +102,36 @@ class BentStructure {
     for (const TurningAxis& axis : axes_) q.push_back(axis.rest);
     for (std::size_t f = 0; f < free_.size(); ++f) q[free_[f]] = x(static_cast<Eigen::Index>(f));
     return q;
+  }
+  /// The unknowns of the same shape with the angles of passive axes within half a turn of their rest: no
+  /// spring counts the turns, unless one at the end point does.
+  [[nodiscard]] Vector<Real> unwound(Vector<Real> x) const {
+    using std::atan2, std::cos, std::sin;
+    if (!setting_.turn.is_free()) return x;
+    for (std::size_t f = 0; f < free_.size(); ++f) {
+      const TurningAxis& axis = axes_[free_[f]];
+      Real& q = x(static_cast<Eigen::Index>(f));
+      if (axis.stiffness == Real(0)) q = axis.rest + atan2(sin(q - axis.rest), cos(q - axis.rest));
+    }
+    return x;
+  }
+  /// The length of all links.
+  [[nodiscard]] Real reach() const {
+    Real sum(0);
+    for (const Real& length : chain_.length) sum += length;
+    return sum;
+  }
+  /// What springs and loads can turn a joint with: the moment beside which another is small.
+  [[nodiscard]] Real moment_scale(const Real& factor) const {
+    using std::abs;
+    const Real r = reach();
+    Real sum = abs(setting_.moment * factor) + setting_.turn.stiffness;
+    for (const TurningAxis& axis : axes_) sum += axis.stiffness;
+    for (const auto& hold : setting_.holds) sum += hold.restraint.stiffness * r * r;
+    for (const auto& slide : setting_.slides) sum += slide.restraint.stiffness * r * r;
+    for (const auto& force : setting_.forces)
+      sum += (force.multiplied ? abs(factor) : Real(1)) * force.force.cwiseAbs().maxCoeff() * r;
+    return sum;
   }
   /// Its links and joints.
   [[nodiscard]] const SpaceChain<Real>& chain() const { return chain_; }
@@ -139,7 +170,7 @@ class BentStructure {
     add_pulls(k, pull, twist, at);
   }
 
-  /// The energy that a step of the factor is measured with; of springs and of all loads.
+  /// The energy of springs less the work of all loads at a factor.
   [[nodiscard]] Real potential(const Vector<Real>& x, const Real& factor) const {
     BentExpansion<Real> at;
     expand(x, factor, Vector<Real>::Constant(held(), Real(0)), at);
@@ -147,7 +178,7 @@ class BentStructure {
     for (const auto& force : setting_.forces) {
       if (force.multiplied) V -= factor * force.force.dot(at.place[force.node]);
     }
-    return V;
+    return V - factor * setting_.moment * end_turn(x);
   }
 
  private:
@@ -250,12 +281,18 @@ class BentStructure {
     }
   }
 
-  /// Of the sum of all angles, which is the direction of the last link in a plane.
+  /// How far the last link has turned from where it rests, in a plane: the sum of all angles.
+  [[nodiscard]] Real end_turn(const Vector<Real>& x) const {
+    Real off(0);
+    for (std::size_t f = 0; f < free_.size(); ++f)
+      off += x(static_cast<Eigen::Index>(f)) - axes_[free_[f]].rest;
+    return off;
+  }
+  /// Of that turn.
   void turn_end(const Vector<Real>& x, const Real& factor, const Vector<Real>& multiplier,
                 BentExpansion<Real>& at, Eigen::Index row) const {
     const auto turning = static_cast<Eigen::Index>(free_.size());
-    Real off(0);
-    for (Eigen::Index i = 0; i < turning; ++i) off += x(i) - axes_[free_[static_cast<std::size_t>(i)]].rest;
+    const Real off = end_turn(x);
     Real torque = setting_.moment * factor;
     if (setting_.turn.is_held()) {
       at.held(row) = off;
@@ -341,6 +378,27 @@ BentStructure<Real> bent_structure(const Structure<Real>& structure) {
   setting.base_clamped = structure.base.turn.is_held();
   return BentStructure<Real>(SpaceChain<Real>(structure.chain.length(), std::move(joints)),
                              std::move(setting));
+}
+
+/// A chain in space with its forces. \throws Error for a torque, whose work depends on the way
+template <Floating Real>
+BentStructure<Real> bent_structure(const SpaceStructure<Real>& structure) {
+  structure.require_sound();
+  if (structure.torque)
+    throw Error("loads", "a torque, of which the critical value alone is computed", "forces");
+  const std::size_t n = structure.chain.size();
+  SpaceSetting<Real> setting;
+  for (std::size_t node = 1; node <= n; ++node) {
+    const Restraint<Real> across = structure.across_at(node);
+    for (const int coordinate : {1, 2}) {
+      if (!across.is_free()) setting.holds.push_back({node, coordinate, across});
+    }
+  }
+  if (structure.end_point.turn.is_held()) setting.directions = {1, 2};
+  for (const SpaceForce<Real>& load : structure.loads)
+    setting.forces.push_back({load.node, {load.force[0], load.force[1], load.force[2]}, load.multiplied});
+  setting.base_clamped = structure.base == SpaceBase::clamped;
+  return BentStructure<Real>(structure.chain, std::move(setting));
 }
 
 }  // namespace plumbline

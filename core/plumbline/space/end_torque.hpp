@@ -8,19 +8,13 @@
 /// line (axial). Where it turns with the last link (tangential) the matrix is S^T, and of the mean of both
 /// (semitangential) (S + S^T) / 2. The last alone is symmetric: it alone has an energy, unless the direction
 /// of the last link is held, where q^T (S - S^T) q' = x . (sum q_l a_l x sum q'_k a_k) is zero and all three
-/// are the same. Where joint 1 has no spring, its bearing takes the torque on the first link in the same way
-/// as it acts on the last one: what its own axes do to each other drops out of S.
+/// are the same. A base that is a bearing takes the torque off the first link in the same way as it acts on
+/// the last one: what the axes of joint 1 do to each other drops out of S. So the chain stands for a shaft
+/// between two bearings.
 
 #include <plumbline/space/space_pencil.hpp>
 
 namespace plumbline {
-
-/// What the torque does when the end point turns.
-enum class TorqueKind {
-  axial,          ///< keeps its direction
-  tangential,     ///< turns with the last link
-  semitangential  ///< the mean of both: conservative
-};
 
 /// K - T S in the unknowns of a pencil without compression.
 template <Number Real>
@@ -32,13 +26,11 @@ struct TorquePencil {
 
 /// \throws Error for an axis along the chain, or oblique, which a torque twists at once
 template <Ordered Real>
-TorquePencil<Real> torque_pencil(const SpaceChain<Real>& chain, SpaceLoad<Real> ends, TorqueKind kind) {
-  ends.compression = {};
-  const SpacePencil<Real> pencil = space_pencil(chain, ends);
+TorquePencil<Real> torque_pencil(const SpaceStructure<Real>& structure) {
+  if (!structure.torque) throw Error("loads", "no torque", "one at the end point");
+  const SpaceChain<Real>& chain = structure.chain;
+  const SpacePencil<Real> pencil = space_pencil(structure);
   std::vector<std::array<Real, 3>> axes;
-  const auto& first = chain.joint[0].axes;
-  const bool bearing =
-      std::all_of(first.begin(), first.end(), [](const Axis<Real>& a) { return a.stiffness == Real(0); });
   for (const SpaceJoint<Real>& joint : chain.joint) {
     for (const Axis<Real>& axis : joint.axes) {
       if (axis.direction[0] != Real(0))
@@ -51,15 +43,17 @@ TorquePencil<Real> torque_pencil(const SpaceChain<Real>& chain, SpaceLoad<Real> 
   Matrix<Real> S = Matrix<Real>::Constant(m, m, Real(0));
   for (Eigen::Index k = 0; k < m; ++k) {
     for (Eigen::Index l = 0; l < k; ++l) {
-      if (bearing && pencil.axis[static_cast<std::size_t>(k)] < first.size()) continue;
+      if (structure.base == SpaceBase::bearing &&
+          pencil.axis[static_cast<std::size_t>(k)] < chain.joint[0].axes.size())
+        continue;
       const auto &a = axes[pencil.axis[static_cast<std::size_t>(l)]],
                  &b = axes[pencil.axis[static_cast<std::size_t>(k)]];
       S(k, l) = a[1] * b[2] - a[2] * b[1];
     }
   }
   const Matrix<Real> transposed = S.transpose();
-  if (kind == TorqueKind::tangential) S = transposed;
-  if (kind == TorqueKind::semitangential) S = (S + transposed) / Real(2);
+  if (*structure.torque == TorqueKind::tangential) S = transposed;
+  if (*structure.torque == TorqueKind::semitangential) S = (S + transposed) / Real(2);
   const Matrix<Real> torque = pencil.basis.transpose() * S * pencil.basis;
   return {pencil.stiffness, torque, torque == Matrix<Real>(torque.transpose())};
 }

@@ -10,8 +10,7 @@
 /// the q that what holds the chain permits; twist, a along e, does not enter. An axis of length |a| stands
 /// for the spring k |a|^2, so that any decimals are directions.
 
-#include <plumbline/space/space_chain.hpp>
-#include <plumbline/structure/structure.hpp>
+#include <plumbline/space/space_structure.hpp>
 
 namespace plumbline {
 
@@ -24,16 +23,6 @@ struct SpacePencil {
   std::vector<std::size_t> axis;  ///< the axis of each row, counted over all joints
   /// The matrix at a factor.
   [[nodiscard]] Matrix<Real> at(const Real& factor) const { return stiffness - factor * load; }
-};
-
-/// What holds the ends and loads the straight chain in space. The base is held and its joint 1 turns, or it
-/// is clamped.
-template <Number Real>
-struct SpaceLoad {
-  Compression<Real> compression;             ///< a list may be empty: no such load
-  bool base_clamped = false;                 ///< link 1 does not turn
-  Support<Real> end_point = guided<Real>();  ///< alike in both directions; `turn` free or held
-  std::vector<Restraint<Real>> across;       ///< at nodes 1 … n - 1, alike in both directions; may be empty
 };
 
 namespace detail {
@@ -72,9 +61,13 @@ Matrix<Real> null_space(Matrix<Real> C) {
 
 }  // namespace detail
 
-/// The pencil of a straight chain.
+/// The pencil of a straight chain under its forces. \throws Error as compression() does, and where nothing
+/// bends
 template <Ordered Real>
-SpacePencil<Real> space_pencil(const SpaceChain<Real>& chain, const SpaceLoad<Real>& load) {
+SpacePencil<Real> space_pencil(const SpaceStructure<Real>& structure) {
+  structure.require_sound();
+  const SpaceChain<Real>& chain = structure.chain;
+  const auto [of_fixed, of_multiplied] = compression(structure);
   SpacePencil<Real> pencil;
   std::vector<Real> springs;
   std::vector<std::array<Real, 2>> lean;  // of what lies beyond, by a turn about each axis
@@ -84,7 +77,7 @@ SpacePencil<Real> space_pencil(const SpaceChain<Real>& chain, const SpaceLoad<Re
     for (const Axis<Real>& axis : chain.joint[i].axes) {
       const auto& a = axis.direction;
       const bool bends = a[1] != Real(0) || a[2] != Real(0);
-      if (bends && !(i == 0 && load.base_clamped)) {
+      if (bends && !(i == 0 && structure.base == SpaceBase::clamped)) {
         springs.push_back(axis.stiffness * (a[0] * a[0] + a[1] * a[1] + a[2] * a[2]));
         lean.push_back({a[2], Real(-a[1])});
         joint.push_back(i);
@@ -111,24 +104,20 @@ SpacePencil<Real> space_pencil(const SpaceChain<Real>& chain, const SpaceLoad<Re
     rows += 2;
   };
   const auto add_push = [&](Matrix<Real>& to, const std::vector<Real>& N, std::size_t i,
-                            const Matrix<Real>& t) {
-    if (!N.empty()) to += N[i] * chain.length[i] * (t.transpose() * t);
-  };
+                            const Matrix<Real>& t) { to += N[i] * chain.length[i] * (t.transpose() * t); };
   for (Eigen::Index a = 0; a < m; ++a) K(a, a) = springs[static_cast<std::size_t>(a)];
   Matrix<Real> fixed = G;
   for (std::size_t i = 0; i < chain.size(); ++i) {
     const Matrix<Real> t = slopes(i);
-    add_push(G, load.compression.multiplied, i, t);
-    add_push(fixed, load.compression.fixed, i, t);
+    add_push(G, of_multiplied, i, t);
+    add_push(fixed, of_fixed, i, t);
     w += chain.length[i] * t;
-    const Restraint<Real> across = i + 1 == chain.size() ? load.end_point.across
-                                   : load.across.empty() ? Restraint<Real>()
-                                                         : load.across[i];
+    const Restraint<Real> across = structure.across_at(i + 1);
     if (across.hold == Hold::sprung) K += across.stiffness * (w.transpose() * w);
     if (across.is_held()) hold(w);
   }
   K -= fixed;
-  if (load.end_point.turn.is_held()) hold(slopes(chain.size() - 1));
+  if (structure.end_point.turn.is_held()) hold(slopes(chain.size() - 1));
   pencil.basis = detail::null_space<Real>(held);
   const Matrix<Real>& N = pencil.basis;
   pencil.stiffness = N.transpose() * K * N;

@@ -23,18 +23,6 @@ struct StraightMotion {
   std::vector<Eigen::Index> unknown;  ///< of each node, -1 for one that is held
 };
 
-/// The masses at nodes 1 … n of a chain for which none are given: each link has its length's, half of it at
-/// either end.
-template <Number Real>
-std::vector<Real> masses_of(const Structure<Real>& structure) {
-  if (!structure.mass.empty()) return structure.mass;
-  const std::vector<Real>& L = structure.chain.length();
-  std::vector<Real> mass;
-  for (std::size_t i = 0; i < L.size(); ++i)
-    mass.push_back((i + 1 < L.size() ? Real(L[i] + L[i + 1]) : L[i]) / Real(2));
-  return mass;
-}
-
 /// \throws Error as straight_pencil() but for follower loads, and where a node that can move has no mass
 template <Ordered Real>
 StraightMotion<Real> straight_motion(const Structure<Real>& structure) {
@@ -51,14 +39,14 @@ StraightMotion<Real> straight_motion(const Structure<Real>& structure) {
   };
   StraightMotion<Real> motion{full(pencil.stiffness), full(pencil.load),
                               std::vector<Real>(static_cast<std::size_t>(n), Real(0)), pencil.unknown};
-  const std::vector<Real> mass = masses_of(structure);
-  for (std::size_t node = 1; node <= mass.size(); ++node) {
+  const std::vector<Real> mass = structure.masses();
+  for (std::size_t node = 0; node < mass.size(); ++node) {
     const Eigen::Index i = pencil.unknown[node];
-    if (i >= 0) motion.mass[static_cast<std::size_t>(i)] += mass[node - 1];
+    if (i >= 0) motion.mass[static_cast<std::size_t>(i)] += mass[node];
   }
   if (!std::all_of(motion.mass.begin(), motion.mass.end(), [](const Real& m) { return m > Real(0); }))
     throw Error("masses", "a place without a mass that can move",
-                "a positive mass at each joint and the end point");
+                "a positive mass at each joint and the end point, and at a base that moves");
   for (const Load<Real>& load : structure.loads) {
     const Eigen::Index at = pencil.unknown[load.node], before = pencil.unknown[load.node - 1];
     if (load.kind != LoadKind::follower || at < 0) continue;

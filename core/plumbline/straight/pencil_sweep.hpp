@@ -7,6 +7,7 @@
 /// condition of K has, n^4 of a chain of n equal links: numbers with digits to spare are to be taken, and
 /// the counts of exact numbers say whether there were enough.
 
+#include <optional>
 #include <plumbline/straight/critical_force.hpp>
 #include <plumbline/straight/pencil.hpp>
 
@@ -41,11 +42,12 @@ void subtract(Taylor<Real>& a, const Taylor<Real>& b) {
   for (std::size_t t = 0; t < 4; ++t) a[t] -= b[t];
 }
 
-/// A pencil whose K is positive definite, and how many positive eigenvalues it has.
+/// A pencil whose K is positive definite, how many positive eigenvalues it has, and where they all are.
 template <class Real>
 struct SweptPencil {
   const StraightPencil<Real>& pencil;
   std::size_t modes;
+  Bracket<Real> all{};
 
   [[nodiscard]] std::size_t size() const { return modes; }
   [[nodiscard]] std::size_t degree() const { return static_cast<std::size_t>(pencil.size()); }
@@ -95,19 +97,34 @@ void sweep_all(const SweptPencil<Real>& swept, std::span<const Bracket<Real>> br
   for (std::size_t i = 0; i < brackets.size(); ++i) found[i] = sweep<3>(swept, brackets[i].next);
 }
 
-/// A stretch of the line that holds all positive eigenvalues.
 template <Floating Real>
 Bracket<Real> all_of(const SweptPencil<Real>& swept) {
+  return swept.all;
+}
+
+/// A stretch of the line that holds all positive eigenvalues, from the springs over the loads outwards in
+/// steps whose exponents double: two dozen leave the range of any type. Nothing where rounding makes K
+/// indefinite or hides one of them, which more digits mend.
+template <Floating Real>
+std::optional<Bracket<Real>> stretch_of(const SweptPencil<Real>& swept) {
   using std::abs;
+  constexpr int most = 24;
   Real springs(0), push(0);
   for (Eigen::Index i = 0; i < swept.pencil.size(); ++i) {
     springs += abs(swept.pencil.stiffness(0, i));
-    push += abs(swept.pencil.load(0, i));
+    for (Eigen::Index d = 0; d <= 2; ++d) push += abs(swept.pencil.load(d, i));
   }
-  Real low = springs / push, high = low;
-  const Real step(256);
-  while (sweep<3>(swept, low).below > 0) low /= step;
-  while (sweep<3>(swept, high).below < swept.modes) high *= step;
+  if (sweep<3>(swept, Real(0)).below > 0) return std::nullopt;
+  Real low = springs / push, high = low, step(256);
+  for (int tries = 0; sweep<3>(swept, low).below > 0; ++tries, step *= step) {
+    low /= step;
+    if (tries == most || !(low > Real(0))) return std::nullopt;
+  }
+  step = Real(256);
+  for (int tries = 0; sweep<3>(swept, high).below < swept.modes; ++tries, step *= step) {
+    high *= step;
+    if (tries == most || !is_finite(high)) return std::nullopt;
+  }
   Bracket<Real> all{low, high, 0, swept.modes, Real(0)};
   all.halve();
   return all;
@@ -118,12 +135,16 @@ Bracket<Real> all_of(const SweptPencil<Real>& swept) {
 namespace plumbline {
 
 /// The lowest positive eigenvalues of a pencil whose K is positive definite, ascending, each as often as it
-/// occurs. \param modes  how many there are: kind_of()
+/// occurs; none where so many digits are too few. \param modes  how many there are: kind_of()
 template <Floating Real>
 std::vector<Real> critical_factors(const StraightPencil<Real>& pencil, std::size_t lowest,
                                    std::size_t modes) {
   if (modes == 0) return {};
-  return detail::roots_by_brackets(detail::SweptPencil<Real>{pencil, modes}, lowest);
+  detail::SweptPencil<Real> swept{pencil, modes};
+  const auto all = detail::stretch_of(swept);
+  if (!all) return {};
+  swept.all = *all;
+  return detail::roots_by_brackets(swept, lowest);
 }
 
 /// The deflections of the nodes at an eigenvalue, up to a factor, by inverse iteration, at right angles (in

@@ -27,7 +27,7 @@ enum class LoadKind {
 /// A force at a node.
 template <Number Real>
 struct Load {
-  std::size_t node;                ///< from 1; n is the end point
+  std::size_t node;                ///< from 0, the base, to n, the end point
   Point<Real> force;               ///< exerted on the chain, at load factor 1
   bool multiplied = true;          ///< by the load factor; else it is there as it stands
   LoadKind kind = LoadKind::dead;  ///< dead or follower
@@ -42,7 +42,7 @@ struct Structure {
   Support<Real> end_point = guided<Real>();  ///< `turn` is of link n against the ground
   std::vector<Restraint<Real>> across;       ///< at nodes 1 … n - 1; none where it is empty
   std::vector<Load<Real>> loads;             ///< all of them
-  std::vector<Real> mass;                    ///< at nodes 1 … n, for motion; empty where none is given
+  std::vector<Real> mass;                    ///< at nodes 0 … n, for motion; empty where none is given
   Real moment{0};                            ///< at the end point, turning from x to y, multiplied
 
   /// With the ends of the paper and no load.
@@ -54,22 +54,15 @@ struct Structure {
   /// is the same.
   void add_weight(std::size_t link, const Point<Real>& weight, bool multiplied = true) {
     const Point<Real> half{weight.x / Real(2), weight.y / Real(2)};
-    if (link > 1) loads.push_back({link - 1, half, multiplied, LoadKind::dead});
-    loads.push_back({link, half, multiplied, LoadKind::dead});
+    for (const std::size_t node : {link - 1, link}) loads.push_back({node, half, multiplied, LoadKind::dead});
   }
   /// Springs across the chain as a bed of so much force per deflection and length: each link's share stands
   /// on its two ends. What is held already stays so.
   void add_foundation(const Real& bed) {
     across.resize(chain.size() - 1);
-    const auto add = [](Restraint<Real>& to, const Real& stiffness) {
-      if (to.is_held()) return;
-      to.hold = Hold::sprung;
-      to.stiffness = to.stiffness + stiffness;
-    };
-    for (std::size_t i = 0; i < chain.size(); ++i) {
-      const Real half = bed * chain.length()[i] / Real(2);
-      add(i == 0 ? base.across : across[i - 1], half);
-      add(i + 1 == chain.size() ? end_point.across : across[i], half);
+    for (std::size_t link = 1; link <= chain.size(); ++link) {
+      const Real half = bed * chain.length()[link - 1] / Real(2);
+      for (const std::size_t node : {link - 1, link}) across_of(node).add(half);
     }
   }
 
@@ -78,6 +71,15 @@ struct Structure {
     if (node == 0) return base.across;
     if (node == chain.size()) return end_point.across;
     return across.empty() ? Restraint<Real>() : across[node - 1];
+  }
+  /// The masses at nodes 0 … n: those that are given, or of each link its length's, half of it at either end.
+  [[nodiscard]] std::vector<Real> masses() const {
+    if (!mass.empty()) return mass;
+    std::vector<Real> lumped(chain.size() + 1, Real(0));
+    for (std::size_t link = 1; link <= chain.size(); ++link) {
+      for (const std::size_t node : {link - 1, link}) lumped[node] += chain.length()[link - 1] / Real(2);
+    }
+    return lumped;
   }
   /// Whether some load turns with the chain: then there is no energy.
   [[nodiscard]] bool follower() const {
@@ -89,18 +91,25 @@ struct Structure {
   void require_sound() const {
     if (!across.empty() && across.size() + 1 != chain.size())
       throw Error("supports", std::to_string(across.size()) + " of them", "one for each joint but the base");
-    if (!mass.empty() && mass.size() != chain.size())
-      throw Error("masses", std::to_string(mass.size()) + " of them", "one for each link");
+    if (!mass.empty() && mass.size() != chain.size() + 1)
+      throw Error("masses", std::to_string(mass.size()) + " of them", "one for the base and for each link");
     if (base.turn.is_held() && !chain.passive_joint(0))
       throw Error("base", "a spring at joint 1 of a clamped base, which holds link 1",
                   "no spring there, stiffness 0; or no clamp, for the spring holds link 1 against the base");
     if (base.turn.hold == Hold::sprung)
       throw Error("base", "a spring that turns beside that of joint 1", "the stiffness of joint 1 alone");
     for (const Load<Real>& load : loads) {
-      if (load.node < 1 || load.node > chain.size())
+      const std::size_t lowest = load.kind == LoadKind::follower ? 1 : 0;  // the base ends no link
+      if (load.node < lowest || load.node > chain.size())
         throw Error("load", "place " + std::to_string(load.node + 1),
                     "a joint from 2 to " + std::to_string(chain.size()) + ", or the end point");
     }
+  }
+
+ private:
+  Restraint<Real>& across_of(std::size_t node) {
+    if (node == 0) return base.across;
+    return node == chain.size() ? end_point.across : across[node - 1];
   }
 };
 
@@ -152,7 +161,7 @@ Compression<Real> compression(const Structure<Real>& structure) {
     if (load.force.y != Real(0))
       throw Error("load", "a force across the straight chain, which bends it", "forces along it");
     std::vector<Real>& at = load.multiplied ? N.multiplied : N.fixed;
-    if (from_base) at[load.node - 1] -= load.force.x;
+    if (from_base && load.node > 0) at[load.node - 1] -= load.force.x;
     if (from_end && load.node < n) at[load.node] += load.force.x;
   }
   for (std::vector<Real>* sums : {&N.fixed, &N.multiplied}) {

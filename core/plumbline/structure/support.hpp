@@ -25,6 +25,12 @@ struct Restraint {
   static Restraint held() { return {Hold::held, Real(0)}; }
   /// A stiffness of zero is no spring.
   static Restraint sprung(Real stiffness) { return {Hold::sprung, std::move(stiffness)}; }
+  /// One more spring beside it, which nothing that is held feels.
+  void add(const Real& spring) {
+    if (is_held()) return;
+    hold = Hold::sprung;
+    stiffness = stiffness + spring;
+  }
   /// Whether it costs nothing.
   [[nodiscard]] bool is_free() const {
     return hold == Hold::free || (hold == Hold::sprung && stiffness == Real(0));

@@ -296,5 +296,5 @@ TEST_CASE("an experiment without measurements, and a plan that would measure not
   } catch (const Error& error) {
     complaint = error.what();
   }
-  CHECK(says(complaint, {"noise", "\"press\"", "Fx, Fy or q"}));
+  CHECK(says(complaint, {"noise", "\"press\"", "Fx, Fy, q"}));
 }

@@ -47,6 +47,19 @@ TEST_CASE("the verdict by hand") {
   CHECK(decide(posterior_of(0.1, 0, {})).verdict == CauseVerdict::unknown);
 }
 
+TEST_CASE(
+    "where a cause of the catalogue leaves nothing, one outside that is more probable means too few "
+    "readings") {
+  Posterior posterior = posterior_of(0.1, 0.6, {0.2, 0.09, 0.01});
+  CHECK(decide(posterior).verdict == CauseVerdict::unknown);
+  posterior.leaves_nothing = true;
+  const Verdict verdict = decide(posterior);
+  CHECK(verdict.verdict == CauseVerdict::ambiguous);
+  CHECK(verdict.too_few_readings);
+  CHECK(verdict.or_outside);
+  CHECK(verdict.named == 2);  // the third has less than a twentieth of what the three have
+}
+
 TEST_CASE("no other number of names costs less") {
   check_property("least expected loss", [] {
     // Causes from the most probable on, and what is left for one outside of the catalogue.

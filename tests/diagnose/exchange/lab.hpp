@@ -108,16 +108,18 @@ inline void write_down(const Experiment& experiment, const Folder& folder) {
       "columns = {{ x.unit = \"mm\", y.unit = \"mm\" }}\n"
       "bench = {{ gravity_plane = \"vertical\" }}\n"
       "noise = {{ x = {}, y = {}, Fx = {}, Fy = {}, q = {} }}\n",
-      1e3 * noise[Channel::Name::x], 1e3 * noise[Channel::Name::y], noise[Channel::Name::Fx],
-      noise[Channel::Name::Fy], noise[Channel::Name::q]);
+      1e3 * noise[diagnose::Channel::Name::x], 1e3 * noise[diagnose::Channel::Name::y],
+      noise[diagnose::Channel::Name::Fx], noise[diagnose::Channel::Name::Fy],
+      noise[diagnose::Channel::Name::q]);
   for (const diagnose::Run& run : experiment.runs) {
     toml += fmt::format("[[run]]\nid = \"{0}\"\ncontrol = \"{1}\"\nrest = [{2}]\nsamples = \"{0}.csv\"\n",
                         run.id, run.holds_end_point() ? "displacement" : "force", fmt::join(run.rest, ", "));
     std::string csv = "t;x;y;Fx;Fy;q1;q2;q3\n";
     for (const diagnose::Reading& r : run.readings) {
       csv += with_comma(r.t);
-      for (const double value : {1e3 * r[column_x], 1e3 * r[column_y], r[column_Fx], r[column_Fy],
-                                 r[column_q + 0], r[column_q + 1], r[column_q + 2]})
+      for (const double value : {1e3 * r[diagnose::column_x], 1e3 * r[diagnose::column_y],
+                                 r[diagnose::column_Fx], r[diagnose::column_Fy], r[diagnose::column_q + 0],
+                                 r[diagnose::column_q + 1], r[diagnose::column_q + 2]})
         csv += ";" + with_comma(value);
       csv += "\n";
     }

@@ -11,12 +11,13 @@ import numpy as np
 
 AMPLITUDE = np.array([0, 0.01, 0.02, 0.04, 0.08, 0.16, 0.32, 0.64, 1.28])
 LENGTH = [0.15, 0.4, 1.0]
-CORRELATION = np.array([0, 0.35, 0.65, 0.85])
-NO_GAP, OUTSIDE = 0.3, 0.1
-LOCAL, NUGGET, STEP, ONE_CHANNEL = 0.3, 0.1, 0.1, 0.1  # of the causes outside
+CORRELATION = np.array([0, 0.35, 0.65, 0.85, 0.95])
+NO_GAP, OUTSIDE, TYPICAL = 0.3, 0.1, 0.1
+SHARES = {"smooth": 0.3, "local": 0.2, "ends": 0.1, "step": 0.1, "one channel": 0.1, "scatter": 0.1, "part": 0.1}
+SCATTER_BESIDE, SCATTER = 0.1, 4
 AT_REST = 0.2  # of the variance of the discrepancy
 TEMPER, WRONG, LARGEST = 0.25, 20, 8
-SHARE, WIDTH = 0.02, 10  # of outliers
+SHARE, WIDTH, EVIDENCE = 0.02, 10, 50  # of outliers
 
 
 def log_sum(values):
@@ -29,19 +30,31 @@ def log_normalised(values):
     return np.asarray(values) - log_sum(values)
 
 
+small = np.where(AMPLITUDE > 0, np.exp(-AMPLITUDE / 0.1), 0)
 with np.errstate(divide="ignore"):
-    small = np.where(AMPLITUDE > 0, np.exp(-AMPLITUDE / 0.1), 0)
     LOG_LISTED = np.where(AMPLITUDE > 0, np.log(0.5 * small / small.sum()), np.log(0.5))
-    LOG_OUTSIDE = np.log(AMPLITUDE / AMPLITUDE.sum())
 LOG_CORRELATION = log_normalised(-((CORRELATION / 0.3) ** 2) / 2)
 
 
-def log_outlier(z):
-    return np.log(SHARE / (WIDTH * np.pi)) - np.log1p((z / WIDTH) ** 2)
+def log_size(size):
+    """Half-Cauchy probability of a size, over the typical one, within a factor of the square root of two."""
+    size = np.asarray(size, float)
+    with np.errstate(divide="ignore"):
+        return np.log(2 * np.log(2) / np.pi * size / (1 + size**2))
 
 
-def log_inlier(z):
-    return np.log((1 - SHARE) / np.sqrt(2 * np.pi)) - z**2 / 2
+class Outliers:
+    def __init__(self, marked):
+        self.share = (EVIDENCE * SHARE + max(1, marked.sum()) - 1) / (EVIDENCE + len(marked) - 1)
+
+    def outlier(self, z):
+        return np.log(self.share / (WIDTH * np.pi)) - np.log1p((z / WIDTH) ** 2)
+
+    def inlier(self, z):
+        return np.log((1 - self.share) / np.sqrt(2 * np.pi)) - z**2 / 2
+
+    def either(self, z):
+        return np.logaddexp(self.outlier(z), self.inlier(z))
 
 
 def matern(distance, length):
@@ -113,12 +126,18 @@ class Block:
         self.kept = self.rows[~outlier]
         nominal = np.array(data["nominal"])
         self.unit = max(1e-3, np.sqrt(np.mean(nominal[self.kept] ** 2))) if len(self.kept) else 1e-3
-        low, high = 0.25, max(4.0, 1.3 * self.unit)
-        steps = int(np.clip(np.ceil(np.log(high / low) / np.log(1.25)), 10, 24))
+        run = np.array([data["places"][i][0] for i in self.kept])
+        steps = np.abs(np.diff(nominal[self.kept]))[np.diff(run) == 0]
+        quiet = 0.5 * np.median(steps) / 0.6745 / np.sqrt(2) if len(steps) else 1
+        low, high = np.clip(quiet, 0.02, 0.25), max(4.0, 1.3 * self.unit)
+        steps = int(np.clip(np.ceil(np.log(high / low) / np.log(1.25)), 10, 30))
         self.scale = low * (high / low) ** (np.arange(steps + 1) / steps)
         self.log_scale = log_normalised(-2.5 * np.log1p((np.log(self.scale) / 0.25) ** 2 / 4))
         larger = self.scale >= 1
         self.nugget = np.where(larger, -np.log(larger.sum()) - self.log_scale, -np.inf)
+        value = np.array(data["value"])[self.rows]
+        self.typical = max(1.0, TYPICAL * np.sqrt(np.mean(((value - value.mean()) / np.array(data["sigma"])[self.rows]) ** 2)))
+        self.clock = data["clock"]
         places = [data["places"][i] for i in self.rows]
         whole = [states.covariance(places, length) for length in LENGTH]
         at = self.kept - first
@@ -142,7 +161,7 @@ class Block:
         white, log_det = np.zeros((n, n)), 0.0
         for j, i in enumerate(self.kept):
             r = 0.0
-            if j > 0 and places[i][0] == places[self.kept[j - 1]][0]:
+            if j > 0 and places[i][0] == places[self.kept[j - 1]][0] and self.clock[places[i][0]]:
                 r = rho ** (places[i][1] - places[self.kept[j - 1]][1])
             s = np.sqrt(1 - r**2)
             white[j, j] = 1 / (relative[i] * s)
@@ -166,12 +185,18 @@ class Block:
         """Log Bayes factor of a step that begins with that reading, and lasts to the end of its run, over noise alone."""
         column = np.array([places[i][0] == run and places[i][1] >= reading for i in self.kept], float)
         noise = self.grid(residual)[:, 0]
-        prior, gain = (2 * self.unit) ** -2, []
+        width, gain = 0.04 * self.unit * 2.0 ** np.arange(8), []
         for white, *_ in self.cells:
             step = white @ column
             information, along = step @ step / self.scale**2, step @ (white @ residual[self.kept]) / self.scale**2
-            gain.append(along**2 / (information + prior) / 2 - np.log1p(information / prior) / 2)
+            terms = [log_size(w / self.typical) + along**2 / (information + w**-2) / 2 - np.log1p(information * w**2) / 2 for w in width]
+            gain.append([log_sum([t[s] for t in terms]) for s in range(len(self.scale))])
         return log_sum(noise + np.array(gain)) - log_sum(noise)
+
+    def discrepancy(self, grid):
+        """By amplitude, its variance over that of the noise, one at most."""
+        quiet = [np.exp(grid[:, a] - log_sum(grid[:, a])).sum(0) @ self.scale**-2 for a in range(len(AMPLITUDE))]
+        return np.minimum(1, (AMPLITUDE * self.unit) ** 2 * np.array(quiet))
 
     def size_of_nugget(self, grid):
         """Its posterior mean, in declared sigmas."""
@@ -179,58 +204,73 @@ class Block:
         return weight @ np.sqrt(np.maximum(self.scale**2 - 1, 0))
 
 
+def expected(log_likelihood, log_prior, values):
+    return np.exp(log_normalised(log_likelihood + log_prior)) @ values
+
+
+class Look:
+    """What is said of one residual: by amplitude, and by kind of a cause outside the catalogue."""
+
+
 class Likelihood:
     def __init__(self, data):
         self.data = data
-        states = States(data["runs"])
-        self.blocks = [Block(data, states, *b) for b in data["blocks"]]
+        self.states = States(data["runs"])
+        self.blocks = [Block(data, self.states, *b) for b in data["blocks"]]
         self.outlier = np.array(data["outlier"])
+        self.outliers = Outliers(self.outlier)
         self.gap = max(1e-3, np.sqrt(np.mean(np.array(data["nominal"])[~self.outlier] ** 2)))
+        count = np.array([len(b.rows) for b in self.blocks])
+        self.share = count / count.sum()
+        self.typical = np.exp(self.share @ np.log([b.typical / b.unit for b in self.blocks]))
+        self.log_outside = log_size(AMPLITUDE / self.typical)
         periodic = np.array(data["periodic"]).reshape(-1, len(self.outlier)).T
         self.periodic, self.weight = periodic, np.where(self.outlier, 0, 1 / np.array(data["relative"]))
 
     def look(self, residual, jacobian):
-        """Log likelihood by amplitude and with a nugget; Gauss and Newton's gradient and information by the parameters;
-        what is left in standard deviations."""
+        """Gauss and Newton's gradient and information are by the parameters; z is what is left in standard deviations."""
+        look = Look()
         grids = [b.grid(residual) for b in self.blocks]
-        by_amplitude = sum(np.array([log_sum(g[:, a]) for a in range(len(AMPLITUDE))]) for g in grids)
+        channel = [np.array([log_sum(g[:, a]) for a in range(len(AMPLITUDE))]) for g in grids]
+        by_amplitude = sum(channel)
+        discrepancy = [b.discrepancy(g) for b, g in zip(self.blocks, grids)]
+        look.discrepancy = self.share @ np.array(discrepancy)
         nugget = np.array([log_sum(g[:, 0] + b.nugget) - log_sum(g[:, 0]) for b, g in zip(self.blocks, grids)])
         share = np.exp(log_normalised(nugget))
-        size = sum(w * b.size_of_nugget(g) for w, b, g in zip(share, self.blocks, grids)) / self.gap
-        nugget = (by_amplitude[0] + log_sum(nugget) - np.log(len(nugget)), size)
-        alone = [log_sum([log_sum(g[:, a]) + LOG_OUTSIDE[a] for a in range(len(AMPLITUDE))]) - log_sum(g[:, 0]) for g in grids]
-        self.one_channel = by_amplitude[0] + log_sum(alone) - np.log(len(alone))
+        look.scatter_size = sum(w * b.size_of_nugget(g) for w, b, g in zip(share, self.blocks, grids)) / self.gap
+        alone = np.array([log_sum(c + self.log_outside) - c[0] for c in channel])
+        look.alone = np.exp(log_normalised(alone)) @ [expected(c, self.log_outside, d) for c, d in zip(channel, discrepancy)] / len(alone)
         posterior = log_normalised(by_amplitude + LOG_LISTED)
         information, gradient = np.zeros((jacobian.shape[1],) * 2), np.zeros(jacobian.shape[1])
         left, sigma = residual.copy(), np.array(self.data["relative"])
-        for b, g in zip(self.blocks, grids):
-            of_amplitude = np.array([log_sum(g[:, a]) for a in range(len(AMPLITUDE))])
-            weight = np.exp(g - of_amplitude[None, :, None] + posterior[None, :, None])
+        for b, g, c in zip(self.blocks, grids, channel):
+            weight = np.exp(g - c[None, :, None] + posterior[None, :, None])
             for w, (white, values, axes, *_) in zip(weight, b.cells):
                 variance = (AMPLITUDE * b.unit)[:, None, None] ** 2 * values + b.scale[None, :, None] ** 2
                 precision = (w[:, :, None] / variance).sum((0, 1))
                 slopes, along = axes.T @ (white @ jacobian[b.kept]), axes.T @ (white @ residual[b.kept])
                 information += slopes.T @ (precision[:, None] * slopes)
                 gradient -= slopes.T @ (precision * along)
-            c, a, s = np.unravel_index(np.argmax(weight), weight.shape)
-            white, values, axes, _, _, cross = b.cells[c]
+            cell, a, k = np.unravel_index(np.argmax(weight), weight.shape)
+            white, values, axes, _, _, cross = b.cells[cell]
             size = (AMPLITUDE[a] * b.unit) ** 2
-            mean = axes.T @ (white @ residual[b.kept]) / (size * values + b.scale[s] ** 2)
+            mean = axes.T @ (white @ residual[b.kept]) / (size * values + b.scale[k] ** 2)
             left[b.rows] -= size * cross @ (white.T @ (axes @ mean))
-            sigma[b.rows] *= b.scale[s]
+            sigma[b.rows] *= b.scale[k]
         if self.periodic.size:
             fit = np.linalg.lstsq(self.weight[:, None] * self.periodic, self.weight * left, rcond=None)[0]
             left -= self.periodic @ fit
-        z = left / sigma
-        own = np.array([log_sum([log_outlier(x), log_inlier(x)]) for x in z]) - np.log(sigma * np.array(self.data["sigma"]))
-        marked = np.where(self.outlier, own, np.log(1 - SHARE)).sum()
-        inlier = np.exp(log_inlier(z) - np.array([log_sum([log_outlier(x), log_inlier(x)]) for x in z]))
+        look.z = z = left / sigma
+        own = self.outliers.either(z) - np.log(sigma * np.array(self.data["sigma"]))
+        marked = np.where(self.outlier, own, np.log(1 - self.outliers.share)).sum()
+        inlier = np.exp(self.outliers.inlier(z) - self.outliers.either(z))
         curve = np.where(self.outlier, inlier + (1 - inlier) * 2 / (WIDTH**2 + z**2), 0)
         slopes = jacobian / sigma[:, None]
-        gradient, information = gradient - slopes.T @ (curve * z), information + slopes.T @ (curve[:, None] * slopes)
-        self.one_channel += marked
-        return by_amplitude + marked, (nugget[0] + marked, nugget[1]), gradient, information, z
-
+        look.gradient, look.information = gradient - slopes.T @ (curve * z), information + slopes.T @ (curve[:, None] * slopes)
+        look.by_amplitude = by_amplitude + marked
+        look.scatter = look.by_amplitude[0] + log_sum(nugget) - np.log(len(nugget))
+        look.one_channel = look.by_amplitude[0] + log_sum(alone) - np.log(len(alone))
+        return look
 
     def log_step(self, residual):
         """Log Bayes factor of a step at any reading but the first of a run, in each channel or not, over noise alone."""
@@ -240,7 +280,7 @@ class Likelihood:
         return log_sum(sums) - np.log(len(sums)) if sums else -np.inf
 
 
-def log_volume(parameters, gradient, information, temper):
+def log_volume(parameters, gradient, information):
     """The share of the prior that the readings leave, by Laplace's method."""
     inside, widths, total = [], [], 0.0
     for p, one in enumerate(parameters):
@@ -254,7 +294,7 @@ def log_volume(parameters, gradient, information, temper):
             peak, density = 1 / (one["high"] - one["low"]), 0
         density += np.log(peak)
         if one["at_bound"]:
-            total -= np.log1p(temper * abs(gradient[p]) / np.exp(density))
+            total -= np.log1p(abs(gradient[p]) / np.exp(density))
         elif information[p, p] > 0:
             inside.append(p)
             widths.append(1 / (peak * np.sqrt(2 * np.pi)))
@@ -262,102 +302,106 @@ def log_volume(parameters, gradient, information, temper):
     if inside:
         unit = np.array(widths)
         precisions = np.linalg.eigvalsh(unit[:, None] * information[np.ix_(inside, inside)] * unit)
-        total -= 0.5 * np.log1p(temper * np.maximum(precisions, 0)).sum()
+        total -= 0.5 * np.log1p(np.maximum(precisions, 0)).sum()
     return total
 
 
-def local_departure(data, z):
-    """Log Bayes factor of one event in a few neighbouring readings of a run over independent outliers."""
+def departure(data, likelihood, z, orders):
+    """Log Bayes factor of one event over independent outliers, in readings that follow each other in an order."""
+    outliers, sums = likelihood.outliers, []
     channel = np.concatenate([np.full(count, b) for b, (_, count) in enumerate(data["blocks"])])
-    sums = []
-    for run in {p[0] for p in data["places"]}:
+    for run, order, most, at_first in orders:
         here = [i for i, p in enumerate(data["places"]) if p[0] == run]
-        readings = 1 + max(data["places"][i][1] for i in here)
-        gain = {c: np.zeros(readings) for c in channel[here]}
+        gain = {c: np.zeros(len(order)) for c in channel[here]}
         for i in here:
-            gain[channel[i]][data["places"][i][1]] = log_outlier(z[i]) - np.log(SHARE) - log_sum([log_outlier(z[i]), log_inlier(z[i])])
-        for i in range(readings):
-            for j in range(i, min(readings, i + int(np.clip(readings // 4, 1, 8)))):
-                sums.append(sum(log_sum([g[i : j + 1].sum(), 0]) - np.log(2) for g in gain.values()))
-    return log_sum(sums) - np.log(len(sums))
+            gain[channel[i]][data["places"][i][1]] = outliers.outlier(z[i]) - np.log(outliers.share) - outliers.either(z[i])
+        for i in range(1 if at_first else len(order)):
+            for j in range(i, min(len(order), i + most)):
+                whole = sum(np.logaddexp(g[order[i : j + 1]].sum(), 0) for g in gain.values())
+                some = whole + np.log(-np.expm1(-whole)) if whole > 1e-6 else log_sum([g[order[i : j + 1]].sum() for g in gain.values()])
+                sums.append(some - np.log(2.0 ** len(gain) - 1))
+    return log_sum(sums) - np.log(len(sums)) if sums else -np.inf
 
 
-def noise_alone(factors):
-    """The probability that readings that scatter by these factors more than others do so by noise."""
-    factors = np.array(factors, float)
-    cause = (1 - NO_GAP) * OUTSIDE * NUGGET / NO_GAP / np.log(100)
-    noise = 0.375 / 0.25 * (1 + (np.log(factors) / 0.25) ** 2 / 4) ** -2.5
-    return np.prod(noise / (noise + cause))
+def orders_of(data, states):
+    """The readings of every run as they were taken; and from either end of its command."""
+    taken, ends = [], []
+    for run in sorted({p[0] for p in data["places"]}):
+        count = 1 + max(p[1] for p in data["places"] if p[0] == run)
+        taken.append((run, np.arange(count), int(np.clip(count // 4, 1, 8)), False))
+        for along in states.command[run][:count].T:
+            if along.max() > along.min() + 1e-9:
+                order = np.argsort(-np.round(along, 9), kind="stable")
+                ends += [(run, order, max(1, count // 2), True), (run, order[::-1], max(1, count // 2), True)]
+    return taken, ends
 
 
-def split(weight, size, own, exact):
+def part_scatters(factors):
+    """Log Bayes factor of a part of the readings that scatters by these factors by the work of a cause."""
+    noise = 0.375 / 0.25 * (1 + (np.log(np.array(factors, float)) / 0.25) ** 2 / 4) ** -2.5
+    return log_sum(-np.log(np.log(100)) - np.log(noise)) if len(factors) else -np.inf
+
+
+def split(way, size, own, typical):
     """Between the cause and one outside, where a share of that size is left to what the catalogue does not have."""
     size = max(1e-3, size)
-    odds = (LOG_LISTED[1] + AMPLITUDE[1] / 0.1 - size / 0.1) - (LOG_OUTSIDE[1] - np.log(AMPLITUDE[1]) + np.log(size))
-    odds += np.log((1 - OUTSIDE) / OUTSIDE)
-    return [(weight - np.log1p(np.exp(odds)), "outside", exact), (weight - np.log1p(np.exp(-odds)), own, exact)]
+    odds = LOG_LISTED[1] + AMPLITUDE[1] / 0.1 - size / 0.1 - log_size(size / typical) + np.log((1 - OUTSIDE) / OUTSIDE)
+    prior, evidence, discrepancy = way
+    return [(prior - np.log1p(np.exp(odds)), evidence, discrepancy, "outside"), (prior - np.log1p(np.exp(-odds)), evidence, discrepancy, own)]
 
 
-def rows(data, looks, nominal, nugget, local, step, one_channel, temper):
-    """Every way in which the readings may have come about: log weight, cause (None: no gap), whether nothing is left."""
-    def of(log_by_amplitude, prior):
-        joint = temper * log_by_amplitude + prior
-        return joint[0], log_sum(joint[1:])
-
-    gap = np.log(1 - NO_GAP)
-    nothing, by_noise = np.log(NO_GAP) + temper * nominal[0], noise_alone(data["noisier"])
-    result = [(nothing + np.log(by_noise), None, True)]
-    if by_noise < 1:
-        result.append((nothing + np.log(1 - by_noise), "outside", True))
-    result.append((gap + np.log(OUTSIDE * (1 - LOCAL - NUGGET - STEP - ONE_CHANNEL)) + of(nominal, LOG_OUTSIDE)[1], "outside", False))
-    result.append((gap + np.log(OUTSIDE * LOCAL) + temper * (nominal[0] + local), "outside", True))
-    result.append((gap + np.log(OUTSIDE * NUGGET) + temper * nugget[0], "outside", True))
-    result.append((gap + np.log(OUTSIDE * ONE_CHANNEL) + temper * one_channel, "outside", False))
-    result.append((gap + np.log(OUTSIDE * STEP) + temper * (nominal[0] + step), "outside", True))
-    for one, (by_amplitude, (log_nugget, nugget_size), gradient, information) in zip(data["hypotheses"], looks):
-        base = gap + one["log_prior"] + log_volume(one["parameters"], gradient, information, temper)
+def ways(data, likelihood):
+    """Every way in which the readings may have come about: log prior, log evidence, discrepancy, cause (None: no gap)."""
+    residual = np.array(data["nominal"])
+    nominal, none = likelihood.look(residual, np.zeros((len(residual), 0))), np.log(1 - NO_GAP)
+    taken, ends = orders_of(data, likelihood.states)
+    exact, outside = nominal.by_amplitude[0], likelihood.log_outside
+    kinds = {"smooth": (log_sum(nominal.by_amplitude + outside), expected(nominal.by_amplitude, outside, nominal.discrepancy)),
+             "local": (exact + departure(data, likelihood, nominal.z, taken), 0), "ends": (exact + departure(data, likelihood, nominal.z, ends), 0),
+             "step": (exact + likelihood.log_step(residual), 0), "one channel": (nominal.one_channel, nominal.alone),
+             "scatter": (nominal.scatter, 0), "part": (exact + part_scatters(data["noisier"]), 0)}
+    result = [(np.log(NO_GAP), exact, 0, None)]
+    result += [(none + np.log(OUTSIDE * SHARES[kind]), *kinds[kind], "outside") for kind in SHARES]
+    for one in data["hypotheses"]:
+        left = np.array(one["residual"])
+        look = likelihood.look(left, np.array(one["jacobian"]).reshape(-1, len(left)).T)
+        base, volume = none + one["log_prior"], log_volume(one["parameters"], look.gradient, look.information)
         own = sorted(e["label"] for e in one["effects"] if not e["outside"] and not e["tolerance"])
         own = tuple(own or sorted(e["label"] for e in one["effects"] if not e["outside"]))
+        whole = (volume + log_sum(look.by_amplitude + LOG_LISTED), expected(look.by_amplitude, LOG_LISTED, look.discrepancy))
         if any(e["outside"] for e in one["effects"]):
-            whole = base + log_sum(temper * by_amplitude + LOG_LISTED)
-            if own:
-                result += split(whole, one["discrepancy"], own, False)
-            else:
-                result.append((whole, "outside", False))
-            continue
-        exact, some = of(by_amplitude, LOG_LISTED)
-        result += [(base + np.log(1 - OUTSIDE) + exact, own, True), (base + np.log(1 - OUTSIDE) + some, own, False)]
-        result.append((base + np.log(OUTSIDE) + of(by_amplitude, LOG_OUTSIDE)[1], "outside", False))
-        result += split(base + np.log(NUGGET) + temper * log_nugget, nugget_size, own, True)
+            some = split((base, *whole), one["discrepancy"], own, likelihood.typical) if own else [(base, *whole, "outside")]
+        else:
+            some = [(base + np.log(1 - OUTSIDE), *whole, own)]
+            some.append((base + np.log(OUTSIDE), volume + log_sum(look.by_amplitude + outside),
+                         expected(look.by_amplitude, outside, look.discrepancy), "outside"))
+            some += split((base + np.log(SCATTER_BESIDE), volume + look.scatter, 0), look.scatter_size, own, likelihood.typical)
+        result += [(*way[:3], "outside") if one["untimed"] else way for way in some]
+        one["leaves_nothing"] = (np.exp(log_normalised(look.by_amplitude + LOG_LISTED))[0] > 0.5
+                                 and np.mean(left[~likelihood.outlier] ** 2) <= SCATTER**2)
+        one["own"] = own
     return result
 
 
 def decide(data):
     likelihood = Likelihood(data)
-    nominal, nugget, _, _, z = likelihood.look(np.array(data["nominal"]), np.zeros((len(data["nominal"]), 0)))
-    looks, one_channel = [], likelihood.one_channel
-    for one in data["hypotheses"]:
-        residual = np.array(one["residual"])
-        looks.append(likelihood.look(residual, np.array(one["jacobian"]).reshape(-1, len(residual)).T)[:4])
-    local, step = local_departure(data, z), likelihood.log_step(np.array(data["nominal"]))
-
-    def probabilities(temper):
-        all_rows = rows(data, looks, nominal, nugget, local, step, one_channel, temper)
-        weight = np.exp(log_normalised([r[0] for r in all_rows]))
-        return [(w, cause, exact) for w, (_, cause, exact) in zip(weight, all_rows)]
-
-    exact = sum(w for w, _, nothing_left in probabilities(1) if nothing_left)
-    sums = {}
-    for w, cause, _ in probabilities(exact + (1 - exact) * TEMPER):
-        sums[cause] = sums.get(cause, 0) + w
-    no_gap, outside = sums.pop(None), sums.pop("outside")
+    all_ways = ways(data, likelihood)
+    prior, evidence, discrepancy = (np.array([w[k] for w in all_ways], float) for k in range(3))
+    no_gap = np.exp(log_normalised(prior + evidence))[0]
+    temper = 1 - (1 - TEMPER) * (np.exp(log_normalised(prior[1:] + evidence[1:])) @ discrepancy[1:])
+    sums = {"outside": 0.0}
+    for p, (*_, cause) in zip((1 - no_gap) * np.exp(log_normalised(prior[1:] + temper * evidence[1:])), all_ways[1:]):
+        sums[cause] = sums.get(cause, 0) + p
+    outside = sums.pop("outside")
     causes = sorted(sums.items(), key=lambda kv: -kv[1])
     if no_gap > 0.5:
         return "none", set(), no_gap, outside
-    if outside > sum(p for _, p in causes):
+    listed = sum(p for _, p in causes)
+    leads = outside > listed
+    if not causes or (leads and not next(h["leaves_nothing"] for h in data["hypotheses"] if h["own"] == causes[0][0])):
         return "unknown", set(), no_gap, outside
     others = 1 if outside >= 1 / WRONG else 0
-    named = [causes[0][0]] + [c for c, p in causes[1:] if p >= 1 / WRONG]
+    named = [causes[0][0]] + [c for c, p in causes[1:] if p >= (listed if leads else 1) / WRONG]
     named = named[: LARGEST - others]
     return ("identified" if len(named) + others == 1 else "ambiguous"), set(named), no_gap, outside
 

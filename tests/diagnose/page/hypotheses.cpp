@@ -1,6 +1,7 @@
 /// \file
 /// Writes, as JSON, what the rig predicts beside each hypothesis that a search finds, and the verdict: the
-/// data from which decide.py computes the verdict again by docs/how-it-decides.md.
+/// data from which decide.test.py computes the verdict again by docs/how-it-decides.md, and
+/// trial/benches/sensitivity.py what other priors would say.
 ///
 ///     hypotheses FOLDER...
 
@@ -33,6 +34,12 @@ std::vector<double> factors_of(const std::vector<NoisierSegment>& noisier) {
   std::vector<double> factors;
   for (const NoisierSegment& one : noisier) factors.push_back(one.factor);
   return factors;
+}
+
+std::vector<bool> clocks(const Experiment& experiment) {
+  std::vector<bool> all;
+  for (const Run& run : experiment.runs) all.push_back(!run.counts_readings());
+  return all;
 }
 
 /// The command of every reading, from rest.
@@ -68,7 +75,10 @@ Json parameter(const ParameterRange& range, double value, bool at_bound) {
 Json hypothesis(const Study& study, const Findings& findings, const Hypothesis& one) {
   Json effects = Json::array(), parameters = Json::array();
   bool outside = false;
+  bool untimed = false;
   for (const EffectAt& at : one.candidate.effects) {
+    untimed =
+        untimed || std::find(findings.untimed.begin(), findings.untimed.end(), at) != findings.untimed.end();
     const bool tolerance = one.candidate.has_as_tolerance(at);
     outside = outside || at.effect->outside;
     effects.push_back({{"label", at.label()}, {"tolerance", tolerance}, {"outside", at.effect->outside}});
@@ -80,9 +90,27 @@ Json hypothesis(const Study& study, const Findings& findings, const Hypothesis& 
               {"parameters", parameters},
               {"residual", list(one.residual)},
               {"jacobian", columns(one.jacobian)},
+              {"untimed", untimed},
               {"log_prior", one.log_prior}};
   if (outside) result["discrepancy"] = discrepancy_share(study, findings, one);
   return result;
+}
+
+/// Every way in which the readings may have come about.
+Json all_ways(const Study& study, const Findings& findings) {
+  static constexpr const char* of[] = {"nothing", "listed", "outside"};
+  Json all = Json::array();
+  for (const Way& way : ways(study, findings)) {
+    const bool fitted = way.hypothesis != Way::none;
+    const Candidate candidate = fitted ? findings.hypotheses[way.hypothesis].candidate : Candidate{};
+    all.push_back({{"of", of[static_cast<std::size_t>(way.of)]},
+                   {"effects", candidate.label()},
+                   {"count", candidate.count()},
+                   {"log_prior", way.log_prior},
+                   {"log_evidence", way.log_evidence},
+                   {"discrepancy", way.discrepancy}});
+  }
+  return all;
 }
 
 Json described(const std::string& folder) {
@@ -101,6 +129,8 @@ Json described(const std::string& folder) {
           {"runs", runs(study.experiment())},
           {"blocks", blocks},
           {"places", places},
+          {"clock", clocks(study.experiment())},
+          {"value", list(measurements.value())},
           {"sigma", list(measurements.sigma())},
           {"relative", list(shape.relative)},
           {"outlier", shape.outlier},
@@ -108,6 +138,7 @@ Json described(const std::string& folder) {
           {"periodic", columns(shape.periodic)},
           {"nominal", list(study.nominal_residual())},
           {"hypotheses", hypotheses},
+          {"ways", all_ways(study, findings)},
           {"verdict", verdict_word(verdict.verdict)},
           {"named", named},
           {"or_outside", verdict.or_outside},

@@ -47,7 +47,7 @@ TEST_CASE("the JSON has every number of a diagnosis, by hand") {
       {"effects": ["unknown"], "probability": 0.008, "chi2_per_dof": 12.5}],
     "effect_probabilities": [{"effect": "backlash(2)", "probability": 0.96},
       {"effect": "gravity", "probability": 0.913}, {"effect": "tip_payload", "probability": 0.012}],
-    "not_excited": []})json"));
+    "rest": null, "too_few_readings": false, "not_excited": []})json"));
   CHECK(json["shrink"] == ReportJson::parse(R"json({"of": "cause", "tested": true,
     "heldout": ["press-1[1:2]", "load-2"], "rms_before": {"Fx": 0.24, "q2": 0.003},
     "rms_after": {"Fx": 0.031, "q2": 0.0011}, "ratio": 0.125, "ratio_low": 0.101, "ratio_high": 0.152,

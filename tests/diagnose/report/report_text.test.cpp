@@ -116,6 +116,26 @@ TEST_CASE("the headline names the cause on top of the ranking, or says that it f
   CHECK(as_json(made)["cause"]["fails_to_predict"] == true);
 }
 
+TEST_CASE("a cause in part is told with what it leaves, and too few readings are told") {
+  Diagnosis made = made_up();
+  made.cause.verdict = CauseVerdict::partial;
+  made.cause.rest = Rest{0.28, 0.05, "the rest is outside the catalogue"};
+  const std::string text = as_text(made);
+  CHECK(has_words(
+      text,
+      "\n\nMostly: play in joint 2 and the weight of the links (part of it with 0.912); the rest is "
+      "outside the catalogue\n"));
+  CHECK(has_words(text,
+                  "  it leaves 28 % of the residual, noise alone 5 %: the rest is outside the catalogue\n"));
+  const auto cause = as_json(made)["cause"];
+  CHECK(cause["verdict"] == "partial");
+  CHECK(cause["rest"]["share"] == 0.28);
+  Diagnosis few = made_up();
+  few.cause.verdict = CauseVerdict::ambiguous;
+  few.cause.too_few_readings = true;
+  CHECK(has_words(as_text(few), "\n\nToo few readings to tell: play in joint 2 and the weight of the links"));
+}
+
 TEST_CASE("no gap is told with its probability, and with the noise in which there is none") {
   Diagnosis made = made_up_no_gap();
   const std::string gap =

@@ -14,8 +14,8 @@ namespace {
 using Name = Channel::Name;
 
 Vector3<double> place_of_tip(const Trace& trace, Eigen::Index reading) {
-  return {trace(reading, Channel(Name::place, 0).column), trace(reading, Channel(Name::place, 1).column),
-          trace(reading, Channel(Name::place, 2).column)};
+  const Eigen::Index first = trace.cols() - 6;  // of the only point
+  return {trace(reading, first), trace(reading, first + 1), trace(reading, first + 2)};
 }
 
 /// Where fits of an effect start, in the middle of them.
@@ -138,8 +138,8 @@ TEST_CASE("dry friction of a joint leaves it off its rest by its slip torque, on
   const double up = trace(1, column_q), down = trace(3, column_q);
   // both near the horizontal, where the weight hardly changes with the angle
   CHECK(down - up == close_to(2 * 0.7 / 1e4).epsilon(1e-4));
-  const double held = trace(1, Channel(Name::drive, 0).column),
-               let = trace(3, Channel(Name::drive, 0).column);
+  const double held = trace(1, Channel(Name::drive, 0, 1).column),
+               let = trace(3, Channel(Name::drive, 0, 1).column);
   CHECK(held - let == close_to(2 * 0.7).epsilon(1e-3));
   CHECK((held + let) / 2 == close_to(-2 * 9.81 * 0.5).epsilon(1e-3));
 }

@@ -86,8 +86,11 @@ TEST_CASE("a census names what it does not cover") {
     }
     return std::string();
   };
+  Structure<Rational> rigid = upright(1);
+  rigid.end_point.turn = Restraint<Rational>::held();
+  CHECK(message(rigid).find("no link that can turn") != std::string::npos);
   Structure<Rational> structure = upright(2);
-  structure.loads[0].kind = LoadKind::follower;
+  structure.loads.back().kind = LoadKind::follower;
   CHECK(message(structure).find("follower") != std::string::npos);
   structure = upright(2);
   structure.base.across = {};

@@ -105,17 +105,17 @@ def by_hand():
         chain(*two, force(1, "3.98", "4.42", (0, 2), shape=v), force(2, "3.98", "4.42", (0, 2), shape=u))
     yield "a shape within bounds that hold two modes", chain(*two, {**low, "shape": u}), \
         chain(*two, force(1, "3.98", "4.42", (0, 2), shape=u))
-    yield "\"1\" at an angle that is not the largest", chain(*two, {**high, "shape": v}), \
-        chain(*two, {**high, "shape": bend(2, 3, "0 1 -2")})
+    yield "\"1\" at an angle that is not the largest", chain(*two, low, {**high, "shape": v}), \
+        chain(*two, low, {**high, "shape": bend(2, 3, "0 1 -2")})
     yield "\"1\" at a joint that stays straight", chain(*two, {**low, "shape": u}), \
         chain(*two, {**low, "shape": bend(1, 2, "0 0 1")})
     yield "two passive joints", chain("1 1 1", "0 1 1", force(1, "0.99", "1.01", (0, 1))), \
-        chain("1 1 1", "0 1 0", force(2, "1.99", "2.01", (1, 2)))  # what the recursion counts there
+        chain("1 1 1", "0 1 0", force(1, "0.99", "1.01", (0, 1)), force(2, "1.99", "2.01", (1, 2)))  # what the recursion counts there
     # three unit links, k = (0, 1, 1): F = 1 and 3; a bound that is itself a critical force: low <= F_m < high
     yield "an upper bound that is the force itself", chain("1 1 1", "0 1 1", force(1, "1", "1.04", (0, 1))), \
         chain("1 1 1", "0 1 1", force(1, "0.98", "1", (0, 1)))
     # (3, 0, 1): both parts have F = 2 alone
-    equal, tie = ("1 1 1", "3 0 1"), {"mode": 1, "low": "1.9", "high": "2.1"}
+    equal, tie = ("1 1 1", "3 0 1", force(1, "1.98", "2.02", (0, 2))), {"mode": 1, "low": "1.9", "high": "2.1"}
     part = ["1", "-1/2"]
     good = {**tie, "factor": ["-2", "1"], "cofactors": [["-1/2"], ["-1/2"]]}
     yield "a tie without a common root", chain(*equal, ties=[good]), \
@@ -125,10 +125,12 @@ def by_hand():
         chain(*equal, ties=[{**tie, "factor": off, "cofactors": [[str(at_zero)]] * 2}])
     yield "a cofactor of too high a degree that agrees at the tested forces", chain(*equal, ties=[good]), \
         chain(*equal, ties=[{**tie, "factor": off, "cofactors": [[str(at_zero), str(at_one - at_zero)]] * 2}])
-    yield "a tie of unequal forces", chain(*equal, ties=[good]), chain("1 1 1", "3 0 1.01", ties=[good])
+    yield "a tie of unequal forces", chain(*equal, ties=[good]), chain("1 1 1", "3 0 1.01", force(1, "1.98", "2.01", (0, 1)), ties=[good])
     shapes = [force(m, "1.98", "2.02", (0, 2), shape=s) for m, s in ((1, u), (2, v))]
-    yield "one shape for both modes of a tie", chain(*equal, *shapes, ties=[good]), \
-        chain(*equal, shapes[0], {**shapes[0], "mode": 2}, ties=[good])
+    yield "one shape for both modes of a tie", chain(*equal[:2], *shapes, ties=[good]), \
+        chain(*equal[:2], shapes[0], {**shapes[0], "mode": 2}, ties=[good])
+    yield "the lowest force left out", chain(*two, low, high), chain(*two, high)
+    yield "no force at all", chain(*two, low), chain(*two)
     # two unit links, k = (0, 1): F = 2, det(lambda B - A) = -2 lambda^2 - 4 lambda^3
     right = ["0", "0", "-2", "-4"]
     straight, one = ("1 1", "0 1"), force(1, "1.98", "2.02", (0, 1))

@@ -83,7 +83,7 @@ TEST_CASE("Ziegler's double pendulum: flutter at (7/2 - sqrt 2) k / L = 2.086 k 
   // H. Ziegler, Die Stabilitaetskriterien der Elastomechanik, Ingenieur-Archiv 20 (1952) 49-56
   Structure<Rational> structure{Chain<Rational>({1, 1}, {1, 1})};
   structure.end_point = {};
-  structure.mass = {2, 1};
+  structure.mass = {0, 2, 1};
   structure.loads.push_back({2, {-1, 0}, true, LoadKind::follower});
   const auto loss = stability_loss(straight_motion(structure), 40);
   CHECK(loss.kind == Motion::flutter);
@@ -98,9 +98,9 @@ TEST_CASE("which masses move decides when it flutters") {
   Structure<Rational> structure{Chain<Rational>({1, 1}, {1, 1})};
   structure.end_point = {};
   structure.loads.push_back({2, {-1, 0}, true, LoadKind::follower});
-  structure.mass = {1, 1};
+  structure.mass = {0, 1, 1};
   const double equal = follower_loss(structure);
-  structure.mass = {2, 1};
+  structure.mass = {0, 2, 1};
   CHECK(equal != doctest::Approx(follower_loss(structure)).epsilon(0.01));
 }
 
@@ -178,23 +178,26 @@ TEST_CASE("elastic end restraints: the chain of bars tends to the column of the 
 
 namespace {
 
-/// A rod of n bars on universal joints that bend alike both ways, its ends pinned: joint 1 has no spring.
-SpaceChain<Rational> universal_rod(std::size_t n) {
+/// A rod of n bars on universal joints that bend alike both ways, its ends in bearings.
+SpaceStructure<Rational> universal_rod(std::size_t n, TorqueKind torque) {
   std::vector<SpaceJoint<Rational>> joints;
   for (std::size_t i = 0; i < n; ++i) {
     const Rational k = i == 0 ? 0 : static_cast<long>(n);
     joints.push_back({{{{0, 1, 0}, k, 0}, {{0, 0, 1}, k, 0}}});
   }
-  return SpaceChain<Rational>(std::vector<Rational>(n, Rational(1, static_cast<long>(n))), joints);
+  SpaceStructure<Rational> structure(
+      SpaceChain<Rational>(std::vector<Rational>(n, Rational(1, static_cast<long>(n))), joints));
+  structure.base = SpaceBase::bearing;
+  structure.torque = torque;
+  return structure;
 }
 
 }  // namespace
 
 TEST_CASE(
     "a shaft under an end torque, its ends pinned: 2 pi EI / L, Greenhill 1883; Timoshenko and Gere 2.21") {
-  const SpaceLoad<Rational> pinned;
   const auto torque = [&](std::size_t n, TorqueKind kind) {
-    return std::stod(critical_torque(universal_rod(n), pinned, kind, 15).value.decimal);
+    return std::stod(critical_torque(universal_rod(n, kind), 15).value.decimal);
   };
   for (const std::size_t n : {3u, 5u, 8u}) {
     const double bars = static_cast<double>(n);  // of n bars: 2 k sin(pi / n), k = n EI / L
@@ -206,25 +209,26 @@ TEST_CASE(
 
 TEST_CASE(
     "which torques have an energy: the semitangential one, and each where the end's direction is held") {
-  SpaceLoad<Rational> ends;
-  CHECK(!critical_torque(universal_rod(4), ends, TorqueKind::axial, 10).conservative);
-  CHECK(!critical_torque(universal_rod(4), ends, TorqueKind::tangential, 10).conservative);
-  CHECK(critical_torque(universal_rod(4), ends, TorqueKind::semitangential, 10).conservative);
-  ends.base_clamped = true;
-  ends.end_point = clamped<Rational>();
+  CHECK(!critical_torque(universal_rod(4, TorqueKind::axial), 10).conservative);
+  CHECK(!critical_torque(universal_rod(4, TorqueKind::tangential), 10).conservative);
+  CHECK(critical_torque(universal_rod(4, TorqueKind::semitangential), 10).conservative);
+  const auto between_clamps = [](TorqueKind kind) {
+    SpaceStructure<Rational> structure = universal_rod(5, kind);
+    structure.base = SpaceBase::clamped;
+    structure.end_point = clamped<Rational>();
+    return critical_torque(structure, 20);
+  };
   for (const TorqueKind kind : {TorqueKind::axial, TorqueKind::tangential, TorqueKind::semitangential}) {
-    const auto found = critical_torque(universal_rod(5), ends, kind, 20);
-    CHECK(found.conservative);
-    CHECK(found.value.decimal ==
-          critical_torque(universal_rod(5), ends, TorqueKind::axial, 20).value.decimal);
+    CHECK(between_clamps(kind).conservative);
+    CHECK(between_clamps(kind).value.decimal == between_clamps(TorqueKind::axial).value.decimal);
   }
 }
 
 TEST_CASE("universal joints with unequal planes: the weaker one, and 2 (n - 1) forces") {
   std::vector<SpaceJoint<Rational>> joints(4, SpaceJoint<Rational>{{{{0, 0, 1}, 1, 0}, {{0, 1, 0}, 3, 0}}});
-  SpaceLoad<Rational> load;
-  load.compression.multiplied.assign(4, Rational(1));
-  const StraightSpace space(SpaceChain<Rational>(std::vector<Rational>(4, 1), joints), load);
+  SpaceStructure<Rational> structure(SpaceChain<Rational>(std::vector<Rational>(4, 1), joints));
+  structure.add_compression();
+  const StraightSpace space(structure);
   CHECK(space.modes() == 6);
   const auto planar = modes_in_decimals(Chain<Rational>({1, 1, 1, 1}, {1, 1, 1, 1}), 9, 30);
   CHECK(space.in_decimals(1, 30)[0].force == planar[0].force);

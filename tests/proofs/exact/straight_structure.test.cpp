@@ -124,6 +124,19 @@ TEST_CASE("shapes by the string and by the pencil agree") {
   }
 }
 
+TEST_CASE(
+    "the lateral force at the end point balances the moment of joint 1, whatever the size of the loads") {
+  for (const Rational& size : {Rational(1), Rational(2202, 1000), Rational(77, 100)}) {
+    Structure<Rational> structure{
+        Chain<Rational>({Rational(1091, 1000), Rational(8393, 10000)}, {Rational(9553, 10000), 0})};
+    structure.loads = {{2, {-size, 0}, true, LoadKind::dead}};
+    const auto mode = StraightStructure(structure).in_decimals(1, 15, true)[0];
+    // about the base: Fy (L1 + L2) = -k1 q1, to the digits of an angle
+    CHECK(mode.fy.convert_to<double>() * (1.091 + 0.8393) ==
+          doctest::Approx(-0.9553 * mode.q[0]).epsilon(1e-13));
+  }
+}
+
 TEST_CASE("equal links, fixed and free: 2 - 2 cos((2 m - 1) pi / (2 n + 1)), textbook") {
   // two links: (3 -+ sqrt 5) / 2, the roots of F^2 - 3 F + 1
   const auto two = StraightStructure(cantilever(2)).enclose(9, 50);

@@ -1,4 +1,4 @@
-#include "diagnose/decision/local_departure.hpp"
+#include "diagnose/outside/departure.hpp"
 
 #include <doctest/doctest.h>
 
@@ -36,7 +36,7 @@ struct Left {
     for (const Eigen::Index i : off) moved(i) = 30, noise.shape.outlier[static_cast<std::size_t>(i)] = true;
     for (const Block& block : study.measurements().blocks())
       noise.channels.push_back({block.channel, 1, 0, 1});
-    return log_local_departure(study.measurements(), moved, noise);
+    return log_departure(study.measurements(), moved, noise, in_order_of_reading(study.measurements()));
   }
   /// Place of a value in the flat list.
   [[nodiscard]] Eigen::Index at(std::size_t series, std::size_t reading) const {

@@ -9,7 +9,7 @@
 
 #include "support/files/toml_file.hpp"
 
-namespace plumbline::app {
+namespace plumbline::statement {
 
 /// Every bare decimal becomes a string, those that follow each other in a list one string, joined by `;`.
 /// \throws Error that names the source and the line
@@ -19,11 +19,11 @@ toml::table parse_decimal_toml(const std::string& text, const std::string& sourc
 /// numbers of a list whose name ends in lengths or stiffness are positive, or not negative
 void add_joined(std::vector<Rational>& values, const std::string& field, const std::string& list);
 
-/// The list of numbers that is the value of a key. \throws Error where there is none
-std::vector<Rational> number_list(const toml::table& table, const std::string& key,
-                                  const std::string& source);
+/// The numbers of a list. \param list  names it in errors, and decides what they may be: add_joined()
+/// \throws Error that names the entry which is none
+std::vector<Rational> numbers_of(const toml::array& list, const std::string& name);
 
 /// A single number. \throws Error at the place where it is none
 Rational number_of(const toml::node& node, const std::string& where);
 
-}  // namespace plumbline::app
+}  // namespace plumbline::statement

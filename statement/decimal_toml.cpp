@@ -1,4 +1,4 @@
-#include "app/decimal_toml.hpp"
+#include "statement/decimal_toml.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -8,7 +8,7 @@
 #include "proofs/exact/decimal.hpp"
 #include "support/files/printable.hpp"
 
-namespace plumbline::app {
+namespace plumbline::statement {
 namespace {
 
 /// Whether text is written as a decimal, whatever its exponent.
@@ -112,18 +112,12 @@ void add_joined(std::vector<Rational>& values, const std::string& field, const s
   }
 }
 
-std::vector<Rational> number_list(const toml::table& table, const std::string& key,
-                                  const std::string& source) {
-  const toml::node* node = table.get(key);
-  if (node == nullptr) throw Error(source, "no key " + key, "lengths and stiffness, a list each");
-  const std::string where = files::place(*node, source) + ": " + key;
-  const toml::array* list = node->as_array();
-  if (list == nullptr) throw Error(where, "a single value", "a list of numbers in brackets");
+std::vector<Rational> numbers_of(const toml::array& list, const std::string& name) {
   std::vector<Rational> values;
-  for (const toml::node& item : *list) {
+  for (const toml::node& item : list) {
     std::ostringstream found;
     if (!item.is_string()) found << toml::node_view(item);
-    add_joined(values, item.value_or(found.str()), where);
+    add_joined(values, item.value_or(found.str()), name);
   }
   return values;
 }
@@ -141,4 +135,4 @@ Rational number_of(const toml::node& node, const std::string& where) {
   return *value;
 }
 
-}  // namespace plumbline::app
+}  // namespace plumbline::statement

@@ -1,0 +1,33 @@
+#pragma once
+/// \file
+/// A cause in part: effects that belong to every probable explanation, beside something that the catalogue
+/// does not have; and causes that are named, but leave what noise does not explain.
+
+#include <optional>
+
+#include "diagnose/answers/cause.hpp"
+#include "diagnose/decision/shrink.hpp"
+
+namespace plumbline::diagnose {
+
+/// A partial cause and how far it shrinks the gap.
+struct InPart {
+  RankedCause cause;
+  Rest rest;
+  std::optional<Shrink> shrink;
+};
+
+/// Where the cause is unknown: the effects that are part of it with `priors::part_of_it` or more, whichever
+/// else acts. They have to predict readings that they have not seen, and better than a smooth function of the
+/// command does.
+std::optional<InPart> in_part(const Study& study, const Findings& findings, const Posterior& posterior,
+                              const NoiseEstimate& noise);
+
+/// What the only cause that is named leaves, where that is more than noise: more of readings that its fit has
+/// not seen, a scatter of many times the declared noise, or what the end of a parameter's range keeps it
+/// from.
+/// \param shrink  of the cause
+std::optional<Rest> rest_of(const RankedCause& cause, const NoiseEstimate& noise,
+                            const std::optional<Shrink>& shrink, double nominal_chi2);
+
+}  // namespace plumbline::diagnose
