@@ -14,7 +14,8 @@ namespace plumbline::proofs {
 /// How many critical forces lie below each of many.
 using CountsBelow = std::function<std::vector<std::size_t>(const std::vector<Rational>&)>;
 
-/// The budget of whoever computes with ever more digits: none of the numbers that a person writes takes so many.
+/// The budget of whoever computes with ever more digits: none of the numbers that a person writes takes so
+/// many.
 /// \throws Error beyond it
 inline void require_affordable(int digits) {
   constexpr int most = 40000;

@@ -191,7 +191,8 @@ bool attack_straight(const Structure<Rational>& structure, StructureAdversary& a
                  15) == here);
   CHECK(decimals(StraightStructure(reversed(structure)), 15) == here);
   if (adversary.one_in(5))
-    certificates.push_back(structure_certificate("adversary", statement::stated(structure), *straight, 99, 20));
+    certificates.push_back(
+        structure_certificate("adversary", statement::stated(structure), *straight, 99, 20));
   return true;
 }
 

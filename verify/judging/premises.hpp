@@ -17,8 +17,8 @@ struct Premise {
   std::string id;
   std::string where;  ///< place in the paper; empty where the judge takes it so
   std::string quote;  ///< the paper's own words, or in ours what is taken
-  /// "length", "stiffness" and "rest" of a chain, "end" where its end point stands without load; "chain", a chain file; "value" of
-  /// anything else. Each number as `number` reads it.
+  /// "length", "stiffness" and "rest" of a chain, "end" where its end point stands without load; "chain", a
+  /// chain file; "value" of anything else. Each number as `number` reads it.
   std::map<std::string, Printed> parts;
 };
 

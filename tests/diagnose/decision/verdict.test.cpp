@@ -57,7 +57,7 @@ TEST_CASE(
   CHECK(verdict.verdict == CauseVerdict::ambiguous);
   CHECK(verdict.too_few_readings);
   CHECK(verdict.or_outside);
-  CHECK(verdict.named == 2);  // the third has less than a twentieth of what the three have
+  CHECK(verdict.named == 2);                     // the third has less than a twentieth of what the three have
   posterior.causes = {posterior.causes.back()};  // together less than a twentieth: not worth naming
   CHECK(decide(posterior).verdict == CauseVerdict::unknown);
 }
