@@ -56,7 +56,7 @@ SecretExperiments make(const TrialOptions& options, const fs::path& folder) {
                           options.seed, folder, [&] { progress.advance(); });
 }
 
-std::vector<trial::Diagnosed> diagnose_all(const TrialOptions& options, const trial::SealedFolder& folder,
+std::vector<campaign::Diagnosed> diagnose_all(const TrialOptions& options, const trial::SealedFolder& folder,
                                            const fs::path& reports, work::Journal* journal) {
   Progress progress("diagnoses", folder.names().size());
   return trial::diagnose_all(folder, reports, std::chrono::duration<double>(options.patience), journal,
@@ -100,7 +100,7 @@ void run(const TrialOptions& options, const CLI::App& verb) {
     std::fflush(stdout);
   }
   const fs::path reports = place.path() / "reports";
-  const std::vector<trial::Diagnosed> diagnosed = diagnose_all(options, folder, reports, place.journal());
+  const std::vector<campaign::Diagnosed> diagnosed = diagnose_all(options, folder, reports, place.journal());
   publish(secret, place.path());
   const std::vector<trial::Case> cases = trial::unseal(folder, reports, diagnosed, catalogue());
   const trial::Circumstances about = circumstances(options, folder, secret);

@@ -9,12 +9,9 @@
 namespace plumbline::trial {
 namespace {
 
-using files::JsonValue;
+using campaign::parameter_key;
+using campaign::StatedReport;
 using Names = std::vector<std::string>;
-
-std::string parameter_key(const std::string& effect, const std::string& name) {
-  return fmt::format("{}/{}", effect, name);
-}
 
 std::string without_joint(const std::string& key) {
   return key.substr(0, key.find('('));
@@ -48,46 +45,7 @@ Names truth_of(const Label& label) {
   return truth;
 }
 
-const char* const expected = "a report in the format \"gap-diagnosis/2\"";
-
-JsonValue at(const JsonValue& object, const char* key) {
-  return object.at(key, expected);
-}
-
-double number(const JsonValue& object, const char* key) {
-  return at(object, key).number(expected);
-}
-
-/// The entry of a list with the largest share.
-std::optional<JsonValue> largest(const JsonValue& list) {
-  std::optional<JsonValue> best;
-  for (const JsonValue& one : list.list(expected))
-    if (!best || number(one, "share") > number(*best, "share")) best = one;
-  return best;
-}
-
-void read_bounds(const JsonValue& effect, const std::string& key, Report& report) {
-  for (const auto& [name, value] : at(effect, "parameters").members(expected)) {
-    if (!at(value, "low").json().is_number() || !at(value, "high").json().is_number()) continue;
-    const auto [low, high] = std::minmax({number(value, "low"), number(value, "high")});
-    report.bounds[parameter_key(key, name)] = {low, high, number(value, "value"),
-                                               value.text_or("unit", "ratio")};
-  }
-}
-
-void read_cause(const JsonValue& cause, Report& report) {
-  report.verdict = at(cause, "verdict").text(expected);
-  for (const JsonValue& effect : at(cause, "effects").list(expected)) {
-    report.effects.push_back(effect_key(effect));
-    read_bounds(effect, report.effects.back(), report);
-  }
-  for (const JsonValue& alternative : at(cause, "equivalent").list(expected))
-    report.equivalent.push_back(effect_keys(alternative));
-  for (const JsonValue& one : at(cause, "ranking").list(expected))
-    report.ranking.push_back({effect_keys(at(one, "effects")), number(one, "probability")});
-}
-
-std::string words(const Report& report) {
+std::string words(const StatedReport& report) {
   std::string text = report.verdict;
   if (!report.effects.empty()) text += fmt::format(" {}", fmt::join(report.effects, "+"));
   for (const Names& other : report.equivalent) text += fmt::format(" | {}", fmt::join(other, "+"));
@@ -102,18 +60,18 @@ std::string kinds(const Names& effects) {
   return fmt::format("{}", fmt::join(ids, "+"));
 }
 
-Answer answer_without_effect(const Report& report) {
+Answer answer_without_effect(const StatedReport& report) {
   return report.verdict == "none" ? Answer::right : Answer::false_alarm;
 }
 
-Answer answer_outside(const Report& report) {
+Answer answer_outside(const StatedReport& report) {
   if (report.verdict == "unknown") return Answer::right;
   if (report.verdict == "none") return Answer::missed_gap;
   if (report.verdict == "identified") return Answer::wrong_sure;
   return report.effects == Names{"unknown"} ? Answer::in_class : Answer::wrong_ambiguous;
 }
 
-Answer answer_in_catalogue(const Names& truth, const Report& report, const std::vector<Names>& listed,
+Answer answer_in_catalogue(const Names& truth, const StatedReport& report, const std::vector<Names>& listed,
                            const std::function<bool(const Names&)>& right) {
   if (report.verdict == "none") return Answer::missed_gap;
   if (report.verdict == "unknown") return Answer::unknown;
@@ -127,7 +85,7 @@ Answer answer_in_catalogue(const Names& truth, const Report& report, const std::
 }
 
 /// Whether the joint or channel with the largest share is right; nothing where the label names none.
-std::optional<bool> place_right(const Label& label, const Report& report) {
+std::optional<bool> place_right(const Label& label, const StatedReport& report) {
   const std::size_t joint = label.effects.front().joint;
   if (joint > 0) return report.joint == joint;
   if (label.channel.empty() || report.channel.empty()) return std::nullopt;
@@ -135,7 +93,7 @@ std::optional<bool> place_right(const Label& label, const Report& report) {
 }
 
 /// A truth with more elements than the answer has no parameters to compare.
-void judge_parameters(const Label& label, const Report& report, Judgement& judgement) {
+void judge_parameters(const Label& label, const StatedReport& report, Judgement& judgement) {
   for (const TrueEffect& effect : label.effects) {
     const auto bounds_of = [&](const std::string& name) {
       return report.bounds.find(parameter_key(effect_key(effect.id, effect.joint), name));
@@ -151,15 +109,15 @@ void judge_parameters(const Label& label, const Report& report, Judgement& judge
 }
 
 /// A truth outside the ranking counts as one on which no probability was placed.
-void judge_probabilities(const Report& report, const std::function<bool(const Names&)>& right,
+void judge_probabilities(const StatedReport& report, const std::function<bool(const Names&)>& right,
                          Judgement& judgement) {
   if (report.ranking.empty() || report.verdict == "none") return;
-  const Report::Ranked& first = *std::max_element(
+  const StatedReport::Ranked& first = *std::max_element(
       report.ranking.begin(), report.ranking.end(),
       [](const auto& one, const auto& other) { return one.probability < other.probability; });
   judgement.stated = {first.probability, right(first.effects)};
   bool found = false;
-  for (const Report::Ranked& one : report.ranking) {
+  for (const StatedReport::Ranked& one : report.ranking) {
     const bool is = !found && right(one.effects);
     found = found || is;
     judgement.brier += (one.probability - is) * (one.probability - is);
@@ -168,22 +126,6 @@ void judge_probabilities(const Report& report, const std::function<bool(const Na
 }
 
 }  // namespace
-
-Report report_from(const nlohmann::json& json, const std::string& source) {
-  const JsonValue file(json, source);
-  Report report;
-  read_cause(at(file, "cause"), report);
-  const JsonValue where = at(file, "where");
-  if (const auto joint = largest(at(where, "joints")))
-    report.joint = static_cast<std::size_t>(number(*joint, "joint"));
-  if (const auto channel = largest(at(where, "channels")))
-    report.channel = at(*channel, "channel").text(expected);
-  if (const JsonValue shrink = at(file, "shrink"); shrink.json().is_object()) {
-    const double floor = shrink.number_or("noise_floor_ratio", 0.0);
-    if (floor > 0) report.shrunk = number(shrink, "ratio") / floor;
-  }
-  return report;
-}
 
 const char* answer_word(Answer answer) {
   switch (answer) {
@@ -209,7 +151,7 @@ const char* answer_word(Answer answer) {
   return "no report";
 }
 
-Judgement judge(const Label& label, const Report& report) {
+Judgement judge(const Label& label, const StatedReport& report) {
   const Names truth = truth_of(label);
   const auto right = [&](const Names& said) {
     return same(said, truth) || std::any_of(label.equivalent.begin(), label.equivalent.end(),

@@ -2,37 +2,12 @@
 /// \file
 /// A diagnosis compared with the truth.
 
-#include <map>
 #include <optional>
 
+#include "diagnose/campaign/stated_report.hpp"
 #include "trial/label.hpp"
 
 namespace plumbline::trial {
-
-/// The scored part of a report in the format "gap-diagnosis/2".
-struct Report {
-  struct Bounds {
-    double low, high;
-    double value = 0;       ///< the estimate itself
-    std::string unit = {};  ///< "ratio" for one
-  };
-  struct Ranked {
-    std::vector<std::string> effects;
-    double probability;
-  };
-
-  std::string verdict;                               ///< none, identified, ambiguous, partial, unknown
-  std::vector<std::string> effects;                  ///< the best explanation
-  std::vector<std::vector<std::string>> equivalent;  ///< the others of its class
-  std::map<std::string, Bounds> bounds;              ///< by "effect key/parameter"
-  std::vector<Ranked> ranking;
-  std::optional<std::size_t> joint;  ///< with the largest share
-  std::string channel;               ///< with the largest share
-  std::optional<double> shrunk;      ///< held-out residual after, over the noise floor
-};
-
-/// \throws Error that names the source and what is missing
-Report report_from(const nlohmann::json& json, const std::string& source);
 
 /// How an answer counts.
 enum class Answer {
@@ -63,6 +38,6 @@ struct Judgement {
   double brier = 0;  ///< of the whole ranking, 0 to 2; meaningful with `stated`
 };
 
-Judgement judge(const Label& label, const Report& report);
+Judgement judge(const Label& label, const campaign::StatedReport& report);
 
 }  // namespace plumbline::trial

@@ -1,27 +1,13 @@
 #include "trial/label.hpp"
 
+#include "diagnose/campaign/stated_report.hpp"
+
 namespace plumbline::trial {
 namespace {
 
-/// Counted from 1; 0 where there is none, or null.
-std::size_t joint_of(const files::JsonValue& effect) {
-  constexpr std::size_t most = 1000000;
-  if (!effect.has("joint")) return 0;
-  const files::JsonValue joint = effect.at("joint", "");
-  const bool whole = joint.json().is_number_unsigned();
-  if (!whole || joint.json().get<std::size_t>() < 1 || joint.json().get<std::size_t>() > most)
-    joint.refuse("the number of a joint, counted from 1, or null");
-  return joint.json().get<std::size_t>();
-}
-
-std::string id_of(const files::JsonValue& effect) {
-  return effect.at("id", "an effect of the catalogue, or \"unknown\"").text("the name of an effect");
-}
-
 TrueEffect effect_from(const files::JsonValue& json) {
-  TrueEffect effect;
-  effect.id = id_of(json);
-  effect.joint = joint_of(json);
+  const campaign::EffectName name = campaign::effect_name(json);
+  TrueEffect effect{name.id, name.joint, {}};
   if (json.has("parameters"))
     for (const auto& [name, value] : json.at("parameters", "").members("parameters by name"))
       effect.parameters.emplace_back(name, value.number("a number"));
@@ -32,18 +18,7 @@ TrueEffect effect_from(const files::JsonValue& json) {
 }  // namespace
 
 std::string effect_key(const std::string& id, std::size_t joint) {
-  return joint > 0 ? id + "(" + std::to_string(joint) + ")" : id;
-}
-
-std::string effect_key(const files::JsonValue& effect) {
-  return effect.json().is_string() ? effect.text("") : effect_key(id_of(effect), joint_of(effect));
-}
-
-std::vector<std::string> effect_keys(const files::JsonValue& effects) {
-  if (!effects.json().is_array()) return {effect_key(effects)};
-  std::vector<std::string> keys;
-  for (const files::JsonValue& effect : effects.list("")) keys.push_back(effect_key(effect));
-  return keys;
+  return campaign::EffectName{id, joint}.key();
 }
 
 bool outside_catalogue(const Label& label) {
@@ -96,7 +71,7 @@ Label label_from(const nlohmann::json& json, const std::string& source) {
     label.effects.push_back(effect_from(effect));
   if (file.has("equivalent"))
     for (const auto& alternative : file.at("equivalent", "").list("a list of explanations"))
-      label.equivalent.push_back(effect_keys(alternative));
+      label.equivalent.push_back(campaign::effect_keys(alternative));
   label.strength = file.number_or("strength_sigma", 0.0);
   label.noise = file.text_or("noise", "");
   label.noise_scale = file.number_or("noise_scale", file.number_or("noise_factor", 1.0));

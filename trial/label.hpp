@@ -33,11 +33,6 @@ struct Label {
 
 /// "id" or "id(joint)".
 std::string effect_key(const std::string& id, std::size_t joint);
-/// The key of an effect from JSON: a text, or an object with "id" and "joint". The keys of a list of effects,
-/// or of one alone.
-/// \throws Error at the place of anything else
-std::string effect_key(const files::JsonValue& effect);
-std::vector<std::string> effect_keys(const files::JsonValue& effects);
 
 /// Whether the effect is outside the catalogue.
 bool outside_catalogue(const Label& label);

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "trial/table.hpp"
+#include "support/page/table.hpp"
 
 namespace plumbline::trial {
 namespace {
@@ -48,7 +48,7 @@ std::string shortened(const std::string& text, std::size_t most) {
   return text.size() <= most ? text : text.substr(0, most) + " ...";
 }
 
-Table failures(const std::vector<Case>& cases, std::size_t most) {
+page::Table failures(const std::vector<Case>& cases, std::size_t most) {
   std::vector<const Case*> list;
   for (const Case& one : cases)
     if (failed(one) || !one.seal_holds) list.push_back(&one);
@@ -56,7 +56,7 @@ Table failures(const std::vector<Case>& cases, std::size_t most) {
     const int one = gravity(a->judgement.answer), other = gravity(b->judgement.answer);
     return one != other ? one < other : a->label.strength > b->label.strength;
   });
-  Table table{{"failure", "experiment", "sigma", "truth", "said"}, {}};
+  page::Table table{{"failure", "experiment", "sigma", "truth", "said"}, {}};
   for (const Case* one : list)
     table.rows.push_back({one->seal_holds ? answer_word(one->judgement.answer) : "broken seal",
                           one->label.name, fmt::format("{:.1f}", one->label.strength),
@@ -64,8 +64,8 @@ Table failures(const std::vector<Case>& cases, std::size_t most) {
   return table;
 }
 
-Table headline(const Score& s) {
-  Table table{{"what", "aim", "share", "count", "95 % interval"}, {}};
+page::Table headline(const Score& s) {
+  page::Table table{{"what", "aim", "share", "count", "95 % interval"}, {}};
   const auto add = [&](const char* what, const char* aim, const Proportion& p) {
     table.rows.push_back({what, aim, percent(p), of(p), interval(p)});
   };
@@ -81,8 +81,8 @@ Table headline(const Score& s) {
   return table;
 }
 
-Table answers(const std::string& what, const std::vector<Row>& rows) {
-  Table table{{what, "n"}, {}};
+page::Table answers(const std::string& what, const std::vector<Row>& rows) {
+  page::Table table{{what, "n"}, {}};
   std::vector<std::size_t> shown;
   for (std::size_t a = 0; a <= static_cast<std::size_t>(Answer::no_report); ++a) {
     const bool any =
@@ -101,8 +101,8 @@ Table answers(const std::string& what, const std::vector<Row>& rows) {
 }
 
 /// Order of families: wrong and sure first.
-Table families(const std::vector<Row>& rows) {
-  Table table{
+page::Table families(const std::vector<Row>& rows) {
+  page::Table table{
       {"family", "n", "wrong and sure", "95 % interval", "found", "unknown", "missed gap", "false alarm"},
       {}};
   for (const Row& row : rows) {
@@ -115,8 +115,8 @@ Table families(const std::vector<Row>& rows) {
   return table;
 }
 
-Table confusion(const Score& s) {
-  Table table{{"truth", "n", "said best"}, {}};
+page::Table confusion(const Score& s) {
+  page::Table table{{"truth", "n", "said best"}, {}};
   for (const auto& [truth, said] : s.confusion) {
     std::vector<std::pair<std::size_t, std::string>> often;
     std::size_t all = 0;
@@ -131,8 +131,8 @@ Table confusion(const Score& s) {
   return table;
 }
 
-Table reliability(const Score& s) {
-  Table table{{"stated probability", "mean stated", "right", "count", "95 % interval"}, {}};
+page::Table reliability(const Score& s) {
+  page::Table table{{"stated probability", "mean stated", "right", "count", "95 % interval"}, {}};
   for (const Reliability& bin : s.reliability) {
     if (bin.right.total == 0) continue;
     table.rows.push_back({fmt::format("{:g} to {:g}", bin.low, std::min(1.0, bin.high)),
@@ -217,11 +217,11 @@ std::string as_text(const Circumstances& circumstances, const std::vector<Case>&
   const Score s = score(cases);
   const bool markdown = style == Style::markdown;
   std::string text;
-  const auto section = [&](const std::string& title, const Table& table, const std::string& note = "") {
+  const auto section = [&](const std::string& title, const page::Table& table, const std::string& note = "") {
     if (table.rows.empty()) return;
     text += markdown ? "\n## " + title + "\n\n" : "\n" + title + "\n";
     if (!note.empty()) text += note + (markdown ? "\n\n" : "\n");
-    text += markdown ? markdown_table(table) : terminal_table(table);
+    text += markdown ? page::markdown_table(table) : page::terminal_table(table);
   };
   const std::string paragraph = markdown ? "\n" : "";
   text += markdown ? "# The blind trial\n\n" : "The blind trial\n";

@@ -76,7 +76,7 @@ Names sorted(Names names) {
   return names;
 }
 
-Names named(const trial::Report& report) {
+Names named(const StatedReport& report) {
   if (report.verdict == "none" || report.verdict == "unknown") return {report.verdict};
   return sorted(report.effects);
 }
@@ -85,7 +85,7 @@ std::vector<Cause> causes_of(const std::vector<Outcome>& outcomes) {
   std::map<Names, Cause> all;
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
     if (!outcomes[i].failure.empty()) continue;
-    const trial::Report& report = outcomes[i].report;
+    const StatedReport& report = outcomes[i].report;
     const bool sure = report.verdict != "ambiguous";
     (sure ? all[named(report)].named_by : all[named(report)].allowed_by).push_back(i);
     for (const Names& other : report.equivalent) all[sorted(other)].allowed_by.push_back(i);

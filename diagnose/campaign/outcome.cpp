@@ -2,20 +2,20 @@
 
 #include <algorithm>
 
+#include "diagnose/campaign/diagnoses.hpp"
 #include "support/files/json_file.hpp"
 #include "support/files/text_file.hpp"
-#include "trial/diagnoses.hpp"
 
 namespace plumbline::campaign {
 namespace {
 
 namespace fs = std::filesystem;
 
-Outcome outcome(const std::string& name, const fs::path& report, const trial::Diagnosed& diagnosed) {
+Outcome outcome(const std::string& name, const fs::path& report, const Diagnosed& diagnosed) {
   Outcome one{name, {}, diagnosed.failure, {}};
   if (!one.failure.empty()) return one;
   try {
-    one.report = trial::report_from(files::parse_json(files::read_text(report), name), name);
+    one.report = report_from(files::parse_json(files::read_text(report), name), name);
   } catch (const std::exception& error) {
     one.failure = error.what();
   }
@@ -53,14 +53,14 @@ std::vector<std::string> names_of(const std::vector<fs::path>& folders) {
 std::vector<Outcome> diagnose_all(const std::vector<fs::path>& folders, const Work& work,
                                   const std::function<void()>& advance) {
   const std::vector<std::string> names = names_of(folders);
-  std::vector<trial::Assignment> assignments;
+  std::vector<Assignment> assignments;
   for (std::size_t i = 0; i < folders.size(); ++i) {
-    trial::Assignment one{folders[i], work.reports / (names[i] + ".json"), work.words, work.inputs};
+    Assignment one{folders[i], work.reports / (names[i] + ".json"), work.words, work.inputs};
     if (work.pages)
       one.words.insert(one.words.end(), {"--html", (work.reports / (names[i] + ".html")).string()});
     assignments.push_back(std::move(one));
   }
-  const std::vector<trial::Diagnosed> diagnosed = trial::diagnose_all(assignments, work.journal, advance);
+  const std::vector<Diagnosed> diagnosed = diagnose_all(assignments, work.journal, advance);
   std::vector<Outcome> all;
   for (std::size_t i = 0; i < folders.size(); ++i)
     all.push_back(outcome(names[i], assignments[i].report, diagnosed[i]));

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "diagnose/campaign/stated_report.hpp"
 #include "support/work/journal.hpp"
-#include "trial/answer.hpp"
 
 namespace plumbline::campaign {
 
@@ -20,7 +20,7 @@ struct Outcome {
   std::string name;         ///< of the folder
   std::optional<Day> date;  ///< of the experiment
   std::string failure;      ///< empty where there is a report
-  trial::Report report = {};
+  StatedReport report = {};
 };
 
 /// Diagnoses every folder, several at once, each in its own process; a failure is named and stops no other.

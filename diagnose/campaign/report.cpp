@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "support/page/markup.hpp"
-#include "trial/table.hpp"
+#include "support/page/table.hpp"
 
 namespace plumbline::campaign {
 namespace {
@@ -123,12 +123,12 @@ std::string words(const Parameter& parameter, bool by_date) {
 }
 
 std::string as_text(const std::vector<Outcome>& outcomes, const Comparison& comparison) {
-  trial::Table table{{"experiment", "date", "verdict", "residual over noise floor"}, {}};
+  page::Table table{{"experiment", "date", "verdict", "residual over noise floor"}, {}};
   for (const Outcome& one : outcomes)
     table.rows.push_back(
         {one.name, one.date ? date_text(one) : "-", said(one),
          one.failure.empty() && one.report.shrunk ? fmt::format("{:.3g}", *one.report.shrunk) : "-"});
-  std::string text = fmt::format("{} experiments\n\n{}\n", outcomes.size(), trial::terminal_table(table));
+  std::string text = fmt::format("{} experiments\n\n{}\n", outcomes.size(), page::terminal_table(table));
   text += "The same cause?  " + same_cause(outcomes, comparison) + "\n";
   if (!comparison.parameters.empty()) text += "\nParameters, where the cause is identified in two or more\n";
   for (const Parameter& one : comparison.parameters)

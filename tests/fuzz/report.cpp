@@ -1,8 +1,8 @@
 #include "tests/fuzz/target.hpp"
-#include "trial/answer.hpp"
+#include "diagnose/campaign/stated_report.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   return offer(bytes, size, [](const std::string& text) {
-    plumbline::trial::report_from(plumbline::files::parse_json(text, "f"), "f");
+    plumbline::campaign::report_from(plumbline::files::parse_json(text, "f"), "f");
   });
 }

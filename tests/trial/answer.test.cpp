@@ -2,11 +2,10 @@
 
 #include <doctest/doctest.h>
 
-#include <plumbline/base/error.hpp>
-
 #include "tests/close_to.hpp"
 
 using namespace plumbline::trial;
+using plumbline::campaign::StatedReport;
 
 namespace {
 
@@ -18,16 +17,16 @@ const Label nothing = truth({});
 const Label outside = truth({{"unknown", 3, {}, 9}});
 const Label pair = truth({{"gravity", 0, {}, 9}, {"rest_angle", 1, {}, 9}});
 
-Report said(const std::string& verdict, std::vector<std::string> effects = {},
-            std::vector<std::vector<std::string>> equivalent = {}) {
-  Report report;
+StatedReport said(const std::string& verdict, std::vector<std::string> effects = {},
+                  std::vector<std::vector<std::string>> equivalent = {}) {
+  StatedReport report;
   report.verdict = verdict;
   report.effects = std::move(effects);
   report.equivalent = std::move(equivalent);
   return report;
 }
 
-Answer answer(const Label& label, const Report& report) {
+Answer answer(const Label& label, const StatedReport& report) {
   return judge(label, report).answer;
 }
 
@@ -60,7 +59,7 @@ TEST_CASE("an effect outside the catalogue is unknown, whether or not it sits at
   CHECK(answer(outside, said("ambiguous", {"gravity"})) == Answer::wrong_ambiguous);
   CHECK(answer(outside, said("none")) == Answer::missed_gap);
   CHECK(answer(outside, said("ambiguous", {"unknown"}, {{"gravity"}})) == Answer::in_class);
-  Report report = said("unknown");
+  StatedReport report = said("unknown");
   CHECK(judge(outside, report).place_right == false);
   report.joint = 3;
   CHECK(judge(outside, report).place_right == true);
@@ -91,7 +90,7 @@ TEST_CASE("an equivalent cause is right too; a larger class is oversized") {
 }
 
 TEST_CASE("parameters count where the cause is right") {
-  Report report = said("identified", {"backlash(2)"});
+  StatedReport report = said("identified", {"backlash(2)"});
   report.bounds["backlash(2)/b"] = {0.028, 0.031};
   CHECK(judge(backlash, report).covered ==
         std::vector<std::pair<std::string, bool>>{{"backlash(2)/b", true}});
@@ -100,7 +99,7 @@ TEST_CASE("parameters count where the cause is right") {
 }
 
 TEST_CASE("parameters of a law with more elements than the answer has are not compared") {
-  Report report = said("identified", {"hysteresis(1)"});
+  StatedReport report = said("identified", {"hysteresis(1)"});
   report.bounds["hysteresis(1)/d_1"] = {0.1, 0.2};
   const auto judged = [&](TrueEffect law) { return judge(truth({std::move(law)}), report).covered; };
   CHECK(judged({"hysteresis", 1, {{"d_1", 0.3}}, 9}).size() == 1);
@@ -108,7 +107,7 @@ TEST_CASE("parameters of a law with more elements than the answer has are not co
 }
 
 TEST_CASE("the Brier score: 0 for a certain right answer, 2 for a certain wrong one") {
-  Report report = said("identified", {"backlash(2)"});
+  StatedReport report = said("identified", {"backlash(2)"});
   report.ranking = {{{"backlash(2)"}, 1.0}};
   CHECK(judge(backlash, report).brier == 0);
   report.ranking = {{{"gravity"}, 1.0}, {{"backlash(2)"}, 0.0}};
@@ -125,29 +124,9 @@ TEST_CASE("the Brier score: 0 for a certain right answer, 2 for a certain wrong 
   CHECK(judge(nothing, report).stated == std::pair(0.75, false));
 }
 
-TEST_CASE("a report is read from its JSON; anything else is refused") {
-  const auto json = nlohmann::json::parse(R"json({
-    "where": {"channels": [{"channel": "Fx", "share": 0.8}, {"channel": "Fy", "share": 0.2}],
-              "joints": [{"joint": 1, "share": 0.2}, {"joint": 2, "share": 0.8}]},
-    "cause": {"verdict": "ambiguous",
-              "effects": [{"id": "backlash", "joint": 2, "parameters": {"b": {"value": 1, "low": 2, "high": 0.5}}}],
-              "equivalent": [["gravity"]],
-              "ranking": [{"effects": ["backlash(2)"], "probability": 0.6}]},
-    "shrink": {"ratio": 0.2, "noise_floor_ratio": 0.1}})json");
-  const Report report = report_from(json, "report.json");
-  CHECK(report.effects == std::vector<std::string>{"backlash(2)"});
-  CHECK(report.bounds.at("backlash(2)/b").low == 0.5);
-  CHECK(report.joint == 2);
-  CHECK(report.channel == "Fx");
-  CHECK(*report.shrunk == close_to(2));
-  CHECK(answer(backlash, report) == Answer::in_class);
-  CHECK_THROWS_WITH_AS(report_from(nlohmann::json::object(), "report.json"), doctest::Contains("report.json"),
-                       plumbline::Error);
-}
-
 TEST_CASE("the Brier score expects all probability on one of two right explanations") {
   const Label either = truth({{"backlash", 2, {}, 9}}, {{"rest_angle(2)"}});
-  Report report = said("ambiguous", {"backlash(2)"}, {{"rest_angle(2)"}});
+  StatedReport report = said("ambiguous", {"backlash(2)"}, {{"rest_angle(2)"}});
   report.ranking = {{{"backlash(2)"}, 0.6}, {{"rest_angle(2)"}, 0.3}, {{"gravity"}, 0.1}};
   // (0.6 - 1)^2 + 0.3^2 + 0.1^2
   CHECK(judge(either, report).brier == close_to(0.26));
@@ -156,7 +135,7 @@ TEST_CASE("the Brier score expects all probability on one of two right explanati
 }
 
 TEST_CASE("a residual reduction counts only where the cause is right") {
-  Report report = said("identified", {"gravity"});
+  StatedReport report = said("identified", {"gravity"});
   report.shrunk = 1.2;
   CHECK(!judge(backlash, report).shrunk);
   report.effects = {"backlash(2)"};

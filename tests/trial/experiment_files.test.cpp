@@ -6,13 +6,14 @@
 #include <algorithm>
 #include <plumbline/base/error.hpp>
 
+#include "diagnose/campaign/diagnosis_process.hpp"
 #include "support/files/text_file.hpp"
 #include "tests/folder.hpp"
-#include "trial/diagnosis_process.hpp"
 #include "trial/label.hpp"
 
 namespace fs = std::filesystem;
 using namespace plumbline::files;
+using namespace plumbline::campaign;
 using namespace plumbline::trial;
 
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace plumbline::trial {
+namespace plumbline::page {
 
 struct Table {
   std::vector<std::string> header;
@@ -16,4 +16,4 @@ struct Table {
 std::string terminal_table(const Table& table);
 std::string markdown_table(const Table& table);
 
-}  // namespace plumbline::trial
+}  // namespace plumbline::page

@@ -1,11 +1,11 @@
-#include "trial/diagnosis_process.hpp"
+#include "diagnose/campaign/diagnosis_process.hpp"
 
 #include "support/files/child_process.hpp"
 #include "support/files/experiment_files.hpp"
 #include "support/files/printable.hpp"
 #include "support/files/temporary_folder.hpp"
 
-namespace plumbline::trial {
+namespace plumbline::campaign {
 namespace {
 
 namespace fs = std::filesystem;
@@ -49,4 +49,4 @@ Diagnosed diagnose_alone(const fs::path& executable, const fs::path& experiment,
                        chamber.path());
 }
 
-}  // namespace plumbline::trial
+}  // namespace plumbline::campaign

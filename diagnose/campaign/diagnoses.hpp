@@ -4,11 +4,11 @@
 
 #include <functional>
 
+#include "diagnose/campaign/diagnosis_process.hpp"
 #include "support/work/journal.hpp"
 #include "support/work/work_list.hpp"
-#include "trial/diagnosis_process.hpp"
 
-namespace plumbline::trial {
+namespace plumbline::campaign {
 
 /// One of many diagnoses.
 struct Assignment {
@@ -28,4 +28,4 @@ extern const work::Task diagnosis_task;
 std::vector<Diagnosed> diagnose_all(const std::vector<Assignment>& assignments, work::Journal* journal,
                                     const std::function<void()>& advance);
 
-}  // namespace plumbline::trial
+}  // namespace plumbline::campaign

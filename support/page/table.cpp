@@ -1,11 +1,11 @@
-#include "trial/table.hpp"
+#include "support/page/table.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
 
-namespace plumbline::trial {
+namespace plumbline::page {
 namespace {
 
 /// Three letters in a row: not a number with its unit, "12 of 20" or "5 to 7 %".
@@ -58,4 +58,4 @@ std::string markdown_table(const Table& table) {
   return text + "\n";
 }
 
-}  // namespace plumbline::trial
+}  // namespace plumbline::page

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace plumbline::trial {
+namespace plumbline::campaign {
 
 struct Diagnosed {
   double seconds = 0;
@@ -28,4 +28,4 @@ Diagnosed run_diagnosis(const std::filesystem::path& executable, const std::file
 Diagnosed diagnose_alone(const std::filesystem::path& executable, const std::filesystem::path& experiment,
                          const std::filesystem::path& report, std::chrono::duration<double> patience);
 
-}  // namespace plumbline::trial
+}  // namespace plumbline::campaign

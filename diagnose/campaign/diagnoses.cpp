@@ -1,4 +1,4 @@
-#include "trial/diagnoses.hpp"
+#include "diagnose/campaign/diagnoses.hpp"
 
 #include <nlohmann/json.hpp>
 #include <plumbline/base/parallel.hpp>
@@ -8,7 +8,7 @@
 #include "support/files/printable.hpp"
 #include "support/files/sha256.hpp"
 
-namespace plumbline::trial {
+namespace plumbline::campaign {
 namespace {
 
 namespace fs = std::filesystem;
@@ -75,4 +75,4 @@ std::vector<Diagnosed> diagnose_all(const std::vector<Assignment>& assignments, 
   return all;
 }
 
-}  // namespace plumbline::trial
+}  // namespace plumbline::campaign
