@@ -6,8 +6,8 @@ namespace plumbline::trial {
 namespace {
 
 TrueEffect effect_from(const files::JsonValue& json) {
-  const campaign::EffectName name = campaign::effect_name(json);
-  TrueEffect effect{name.id, name.joint, {}};
+  const campaign::EffectName named = campaign::effect_name(json);
+  TrueEffect effect{named.id, named.joint, {}};
   if (json.has("parameters"))
     for (const auto& [name, value] : json.at("parameters", "").members("parameters by name"))
       effect.parameters.emplace_back(name, value.number("a number"));
