@@ -66,8 +66,9 @@ std::vector<campaign::Diagnosed> diagnose_all(const TrialOptions& options, const
 /// The effects that this program's diagnosis can name.
 trial::Catalogue catalogue() {
   trial::Catalogue all;
-  for (const std::vector<diagnose::Effect>* rows : {&diagnose::catalogue(), &diagnose::arm_catalogue()})
-    for (const diagnose::Effect& row : *rows) all.insert(std::string(row.id) + (row.at_joint ? "(j)" : ""));
+  for (const diagnose::Effect& row : diagnose::catalogue())
+    all.emplace(row.id + (row.at_joint ? "(j)" : ""), row.id);
+  for (const auto& [former, now] : diagnose::former_ids()) all.emplace(former, now);
   return all;
 }
 

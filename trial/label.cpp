@@ -25,7 +25,22 @@ bool outside_catalogue(const Label& label) {
   return label.effects.size() == 1 && label.effects.front().id == "unknown";
 }
 
+namespace {
+
+/// "id(joint)" by its present id.
+std::string present(const Catalogue& catalogue, const std::string& key) {
+  const std::size_t end = key.find('(');
+  const auto found = catalogue.find(key.substr(0, end));
+  return found == catalogue.end() ? key : found->second + key.substr(std::min(end, key.size()));
+}
+
+}  // namespace
+
 Label in_terms_of(const Catalogue& catalogue, Label label) {
+  for (TrueEffect& effect : label.effects)
+    if (const auto found = catalogue.find(effect.id); found != catalogue.end()) effect.id = found->second;
+  for (std::vector<std::string>& alternative : label.equivalent)
+    for (std::string& key : alternative) key = present(catalogue, key);
   std::string lacking;
   for (const TrueEffect& effect : label.effects) {
     const bool at_all = effect.id == "unknown" || (effect.joint == 0 && catalogue.count(effect.id) > 0);

@@ -3,7 +3,7 @@
 /// The label of an experiment: its true effects, withheld from the diagnosis.
 
 #include <cstddef>
-#include <set>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -38,7 +38,7 @@ std::string effect_key(const std::string& id, std::size_t joint);
 bool outside_catalogue(const Label& label);
 
 /// The effects that a diagnosis can name: "id", and "id(j)" for one at a joint.
-using Catalogue = std::set<std::string>;
+using Catalogue = std::map<std::string, std::string>;
 
 /// The label for a diagnosis with this catalogue: an effect that it lacks becomes an unknown cause with its
 /// description.

@@ -52,7 +52,7 @@ bool hardens_to_one_side(const Rig& rig) {
 
 /// What stands against an effect beside those that are carried already; nothing where it goes.
 std::string_view against(Format format, const NominalEffect& effect, const Rig& rig) {
-  if ((effect.id == "gravity" || effect.id == "tip_payload") && !one_gravity(rig))
+  if (adds_weight(effect.id) && !one_gravity(rig))
     return "weights in several directions";
   const bool plays = std::any_of(rig.backlash.begin(), rig.backlash.end(), [](double b) { return b > 0; });
   if (format == Format::mjcf && rig.eccentricity != 0 && has_drive(rig))

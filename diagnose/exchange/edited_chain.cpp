@@ -7,6 +7,8 @@
 #include "diagnose/exchange/carried.hpp"
 #include "diagnose/exchange/tree_path.hpp"
 
+#include "diagnose/exchange/ways.hpp"
+
 namespace plumbline::exchange {
 
 using Eigen::Vector3d;
@@ -24,7 +26,7 @@ EditedChain::EditedChain(const Model& model, ReadModel read, Format format, cons
   after_ = carried_tree(model, effects_, means);
   if (weighs_otherwise() && !(gravity() > 0)) {
     for (Carried& one : effects_)
-      if (one.carried && (one.effect == "gravity" || one.effect == "tip_payload"))
+      if (one.carried && adds_weight(one.effect))
         one.carried = false, one.how = "the masses of the model itself would weigh with it";
     after_ = carried_tree(model, effects_, means);
   }

@@ -68,8 +68,8 @@ class Builder {
                         .friction = rig_.guide_friction,
                         .stiffness = rigid * typical_ / (reach * reach),
                         .matrix = {gain, gain * rig_.cross_talk.x(), gain * rig_.cross_talk.y(), gain},
-                        .bias = pair(rig_.force_bias),
-                        .drift = pair(rig_.force_drift),
+                        .bias = pair(rig_.force_bias.head<2>()),
+                        .drift = pair(rig_.force_drift.head<2>()),
                         .limit = std::isfinite(rig_.force_limit) ? rig_.force_limit : 0,
                         .lag = rig_.force_lag};
   }

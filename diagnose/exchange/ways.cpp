@@ -50,7 +50,9 @@ constexpr Way no_second_sensor{false, "of a second sensor, not of the chain"};
 constexpr Way no_pulley{false, "of the pulley, not of the chain"};
 constexpr Way no_tendon{false, "of the tendons or pressures that load the chain, not of the chain"};
 constexpr Way no_set{false, "rest angles of this format do not move"};
-constexpr Way no_joint_alone{false, "this format has bodies, not a joint alone"};
+constexpr Way no_servo{false, "of the servos, not of the chain"};
+constexpr Way no_counterweight{false, "this format has no torque that goes with the cosine of an angle"};
+constexpr Way no_joint_sensor{false, "of the sensors of the joints, not of the chain"};
 constexpr Way no_coupling{false, "joints of this format are not coupled"};
 constexpr Way no_point{false, "this format has no place for where a force acts"};
 
@@ -91,10 +93,15 @@ const std::map<std::string_view, Way>& everywhere() {
                                                    {"cell_curvature", no_curve},
                                                    {"second_zero", no_second_sensor},
                                                    {"second_gain", no_second_sensor},
-                                                   {"load_zero", no_joint_alone},
-                                                   {"load_gain", no_joint_alone},
-                                                   {"load_drift", no_joint_alone},
-                                                   {"load_lag", no_joint_alone},
+                                                   {"link_mass", masses},
+                                                   {"joint_scale", no_servo},
+                                                   {"encoder_ripple", no_servo},
+                                                   {"command_delay", no_servo},
+                                                   {"joint_balance", no_counterweight},
+                                                   {"angle_bias", no_joint_sensor},
+                                                   {"angle_scale", no_joint_sensor},
+                                                   {"torque_bias", no_joint_sensor},
+                                                   {"torque_scale", no_joint_sensor},
                                                    {"plastic_set", no_set}};
   return all;
 }
@@ -131,6 +138,11 @@ Way without_coupling(Format format, std::string_view effect) {
 }
 
 }  // namespace
+
+bool adds_weight(std::string_view effect) {
+  const std::string_view id = effect.substr(0, effect.find('('));
+  return id == "gravity" || id == "tip_payload" || id == "link_mass";
+}
 
 Way way_of(Format format, const diagnose::NominalEffect& effect) {
   if (format == Format::toml) return {true, "as [[nominal.effect]]"};

@@ -18,4 +18,7 @@ struct Way {
 /// \throws Error for another id
 Way way_of(Format format, const diagnose::NominalEffect& effect);
 
+/// Whether an effect, by its id or its label, adds what weighs.
+bool adds_weight(std::string_view effect);
+
 }  // namespace plumbline::exchange

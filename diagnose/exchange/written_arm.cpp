@@ -16,7 +16,7 @@ SerialArm<double> arm_of(const Rig& rig) {
   SerialArm<double> arm = rig.arm->arm;
   for (std::size_t j = 0; j < arm.size(); ++j) {
     ArmLink<double>& link = arm.links[j];
-    const double zero = rig.arm->zero[j];
+    const double zero = rig.rest_error[j] + rig.encoder[j].zero;
     if (link.kind == JointKind::prismatic)
       link.frame.translation() += link.frame.linear() * (zero * link.axis);
     else

@@ -58,7 +58,8 @@ Experiment with_rows(Experiment experiment, std::shared_ptr<const std::vector<Ef
 }
 
 std::vector<const Effect*> all_rows(const Experiment& experiment) {
-  std::vector<const Effect*> rows = rows_for(experiment.arm != nullptr);
+  std::vector<const Effect*> rows;
+  for (const Effect& row : catalogue()) rows.push_back(&row);
   if (experiment.stated == nullptr) return rows;
   for (const Effect& row : *experiment.stated) rows.push_back(&row);
   return rows;
@@ -104,9 +105,8 @@ const Excitation& Study::excitation() const {
 
 std::vector<ParameterRange> Study::ranges(const EffectAt& at) const {
   std::vector<ParameterRange> all = at.effect->parameters({scales_, index_of(at)});
-  const bool slides = at.joint > 0 && experiment_.arm &&
-                      experiment_.arm->arm.links[at.joint - 1].kind == JointKind::prismatic;
-  if (slides || experiment_.alone == Alone::slides)
+  const std::vector<bool>& slides = scales_.slides;
+  if (at.joint > 0 ? slides[at.joint - 1] : std::find(slides.begin(), slides.end(), false) == slides.end())
     for (ParameterRange& one : all) one.unit = sliding_unit(one.unit);
   return all;
 }

@@ -1,14 +1,18 @@
 #pragma once
 /// \file
-/// The prediction of an experiment with an arm in space: from pose to pose, with the memory of its joints.
+/// The prediction of a run with an arm in space: from pose to pose, with the memory of its joints.
 
 #include "diagnose/rig/history.hpp"
 
 namespace plumbline::diagnose {
 
-/// Predicts all runs, and the difference quotients by the variations.
-/// \pre the experiment and the rig have an arm
-Prediction simulate_arm(const Experiment& experiment, const Rig& rig,
-                        const std::vector<RigVariation>& variations);
+/// The columns of its traces.
+Eigen::Index columns_of_arm(const Experiment& experiment);
+
+/// One run of a rig and of its variations; `beside` holds their differences from the rig.
+/// \pre the experiment and the rigs have an arm
+/// \returns false where there is no rest near some command
+bool walk_arm(const Experiment& experiment, const Run& run, const Rig& rig,
+              const std::vector<Rig>& variations, Trace& trace, const std::vector<Trace*>& beside);
 
 }  // namespace plumbline::diagnose

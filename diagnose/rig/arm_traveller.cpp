@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnose/rig/delayed.hpp"
+
 namespace plumbline::diagnose {
 namespace {
 
@@ -24,14 +26,16 @@ bool yields_by_law(const Rig& rig, std::size_t joint) {
 
 ArmTraveller::ArmTraveller(const Experiment& experiment, const Rig& own, const Run& run, std::size_t sliders)
     : experiment_(&experiment),
+      run_(&run),
       measured_(run.measured()),
+      behind_(own.command_delay > 0 ? delayed(run, own.command_delay) : std::vector<Reading>{}),
       on_(own, run.rest),
       arm_(on_.rig.arm->arm),
       compliance_(compliance(arm_)),
       sliders_(sliders),
       contact_(arm_.size() * sliders_, Contact::sticks),
       memory_(arm_.size()),
-      command_(run.rest),
+      rest_(arm_.size()),
       way_(arm_.size(), 0.0) {
   Eigen::Index next = 0;
   for (std::size_t i = 0; i < arm_.size(); ++i) {
@@ -41,30 +45,33 @@ ArmTraveller::ArmTraveller(const Experiment& experiment, const Rig& own, const R
   }
 }
 
-void ArmTraveller::head_for(const Reading& reading) {
+void ArmTraveller::head_for(std::size_t number) {
+  const Reading& reading = behind_.empty() ? run_->readings[number] : behind_[number];
   const ArmRig& rig = *on_.rig.arm;
-  interval_ = moved_ ? time_step(on_, reading.t - time_) : TimeStep{};
+  const double dt = moved_ ? reading.t - time_ : 0;
+  interval_ = moved_ ? time_step(on_, dt) : TimeStep{};
   interval_.end = reading.t;
   time_ = reading.t;
-  std::vector<double> rest = reading.rest;
-  for (std::size_t i = 0; i < rest.size(); ++i) {
-    if (moved_ && rest[i] != command_[i]) way_[i] = rest[i] > command_[i] ? 1 : -1;
-    rest[i] += rig.encoder_error(i, rest[i]);
+  const std::vector<double> before = on_.command;
+  on_.turn_to(reading.rest);
+  for (std::size_t i = 0; i < rest_.size(); ++i) {
+    if (moved_ && on_.command[i] != before[i]) way_[i] = on_.command[i] > before[i] ? 1 : -1;
+    const double rest = on_.joint[i].rest;
     if (moved_)
-      memory_[i].led = rest[i] - rest_[i];
+      memory_[i].led = rest - rest_[i];
     else
-      memory_[i].angle = rest[i];
+      memory_[i].angle = rest;
+    memory_[i].speed = dt > 0 ? std::abs(memory_[i].led) / dt : 0;
+    rest_[i] = rest;
   }
-  command_ = reading.rest;
-  rest_ = rest;
   expand(reading);
-  on_.turn_to(rest);
-  target_ = commanded(arm_, column(rest));
+  target_ = commanded(arm_, column(rest_));
   wrenches_.clear();
   if (!reading.wrench.empty()) {
-    const Vector6<double> wrench =
-        (Eigen::Map<const Vector6<double>>(reading.wrench.data()) - rig.wrench_bias) / (1 + rig.wrench_scale);
-    wrenches_.push_back({expanded(rig.load), wrench.head<3>(), wrench.tail<3>()});
+    const Eigen::Map<const Vector6<double>> read(reading.wrench.data());
+    const Vector3<double> zero = on_.rig.force_bias + on_.rig.force_drift * reading.t;
+    const double gain = 1 + on_.rig.force_gain;
+    wrenches_.push_back({expanded(rig.load), (read.head<3>() - zero) / gain, read.tail<3>() / gain});
   }
   hold_weight();
 }
@@ -94,7 +101,7 @@ void ArmTraveller::hold_weight() {
   if (share == 0) return;
   const SerialArm<double>& nominal = experiment_->arm->arm;
   const ArmLoads<double> weight =
-      arm_loads(nominal, ArmPosture<double>(nominal, commanded(nominal, column(command_))), {});
+      arm_loads(nominal, ArmPosture<double>(nominal, commanded(nominal, column(on_.command))), {});
   Eigen::Index next = 0;
   for (std::size_t i = 0; i < joint_.size(); ++i) {
     held_(joint_[i]) = share * weight.force(next);
@@ -106,7 +113,7 @@ ArmLoads<double> ArmTraveller::loads(const ArmPosture<double>& posture) const {
   ArmLoads<double> all = arm_loads(arm_, posture, wrenches_);
   all.force -= held_;
   for (std::size_t i = 0; i < joint_.size(); ++i) {
-    const Eigen::Vector2d& amount = on_.rig.arm->balance[i];
+    const Eigen::Vector2d& amount = on_.rig.balance[i];
     if (amount.isZero(0)) continue;
     const Eigen::Index k = joint_[i];
     const double c = std::cos(coordinate_(k)), s = std::sin(coordinate_(k));
@@ -283,19 +290,22 @@ void ArmTraveller::write(Eigen::Ref<Eigen::ArrayXd> row) const {
   const ArmRig& rig = *on_.rig.arm;
   const ArmPosture<double> posture(arm_, coordinate_);
   const Vector3<double> tipped = turn_of_tool(posture);
+  Pose<double> camera = Pose<double>::Identity();
+  camera.linear() = rotation_by(on_.rig.place_turn);
+  camera.translation() = -camera.linear() * on_.rig.position_offset;
   for (std::size_t i = 0; i < joint_.size(); ++i) {
-    const double q = coordinate_(joint_[i]) - rig.encoder_error(i, command_[i]);
-    row(Channel(Channel::Name::q, i).column) = (1 + rig.angle_scale[i]) * q + rig.angle_bias[i];
+    const double q = coordinate_(joint_[i]) - on_.rig.encoder[i].off(on_.command[i]);
+    row(Channel(Channel::Name::q, i).column) = on_.rig.angle_read[i].shown(q);
   }
   for (std::size_t p = 0; p < rig.points.size(); ++p) {
-    const Pose<double> seen = rig.tracker.inverse() * of(rig.points[p], posture, tipped);
-    const Vector3<double> place = (1 + rig.tracker_scale) * seen.translation();
+    const Pose<double> seen = camera * of(rig.points[p], posture, tipped);
+    const Vector3<double> place = (1 + on_.rig.place_scale) * seen.translation();
     for (std::size_t axis = 0; axis < 3; ++axis)
       row(Channel(Channel::Name::place, 3 * p + axis, arm_.size()).column) =
           place(static_cast<Eigen::Index>(axis));
     if (!reads(Channel(Channel::Name::turn, 3 * p, arm_.size()))) continue;
     const Pose<double> told =
-        nominal_pose(experiment_->arm->arm, experiment_->arm_bench.points[p].at, command_);
+        nominal_pose(experiment_->arm->arm, experiment_->arm_bench.points[p].at, on_.command);
     const Vector3<double> turn = rotation_vector<double>(told.linear().transpose() * seen.linear());
     for (std::size_t axis = 0; axis < 3; ++axis)
       row(Channel(Channel::Name::turn, 3 * p + axis, arm_.size()).column) =
@@ -305,7 +315,7 @@ void ArmTraveller::write(Eigen::Ref<Eigen::ArrayXd> row) const {
   const ArmLoads<double> at = loads(posture);
   for (std::size_t i = 0; i < joint_.size(); ++i)
     row(Channel(Channel::Name::drive, i, arm_.size()).column) =
-        (1 + rig.torque_scale[i]) * torque_of_drive(i, at.force(joint_[i])) + rig.torque_bias[i];
+        on_.rig.torque_read[i].shown(torque_of_drive(i, at.force(joint_[i])));
 }
 
 }  // namespace plumbline::diagnose

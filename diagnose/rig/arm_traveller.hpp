@@ -17,8 +17,8 @@ class ArmTraveller {
   /// \param sliders  of each joint: as many as any rig beside it has
   ArmTraveller(const Experiment& experiment, const Rig& own, const Run& run, std::size_t sliders);
 
-  /// Commands the joints and loads the arm as a reading says.
-  void head_for(const Reading& reading);
+  /// Commands the joints and loads the arm as a reading says, as late as the drives follow it.
+  void head_for(std::size_t reading);
   /// Comes to rest there: Newton's method, with contacts of the joints that settle on the way.
   /// \returns false where there is no rest near the command
   bool settle();
@@ -62,7 +62,9 @@ class ArmTraveller {
   [[nodiscard]] double torque_of_drive(std::size_t joint, double load) const;
 
   const Experiment* experiment_;
+  const Run* run_;
   std::vector<Channel> measured_;
+  std::vector<Reading> behind_;  ///< the readings with delayed commands; none without delay
   RunRig on_;
   SerialArm<double> arm_;            ///< at its temperature, on its mount as it yields
   double growth_ = 1;                ///< of its lengths
@@ -79,8 +81,8 @@ class ArmTraveller {
   Vector<double> residual_;  ///< of the last step, with its derivatives
   Matrix<double> slope_;
   Eigen::PartialPivLU<Matrix<double>> tangent_;
-  std::vector<double> command_, way_;  ///< of the joints; 1 or -1, 0 before the first motion
-  std::vector<double> rest_;           ///< where the joints stood if nothing yielded
+  std::vector<double> rest_;  ///< where the joints stood if nothing yielded
+  std::vector<double> way_;   ///< of their commands: 1 or -1, 0 before the first motion
   double time_ = 0;
   bool moved_ = false;
 };

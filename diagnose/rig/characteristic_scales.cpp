@@ -12,19 +12,22 @@ double or_zero(double value) {
   return std::isfinite(value) ? value : 0.0;
 }
 
-/// The force that nine readings of ten stay below, on the end point or, of loads along the chain, as if
+/// The load of a reading: on the end point, on a joint alone, or on an arm; of loads along the chain, as if
 /// there.
+double load_of(const Reading& reading, const std::vector<LoadChannel>& along) {
+  double load = std::max(std::hypot(or_zero(reading[column_Fx]), or_zero(reading[column_Fy])), reading.wrench_force().norm());
+  for (const LoadChannel& one : along)
+    load = std::max(load, std::abs(reading.covariates[one.covariate]) * one.moves.norm());
+  return load;
+}
+
+/// The load that nine readings of ten stay below.
 double typical_force(const Experiment& experiment) {
-  const std::vector<LoadChannel> loads =
+  const std::vector<LoadChannel> along =
       load_channels(experiment.loads, experiment.link_length, experiment.covariates);
   std::vector<double> force;
   for (const Run& run : experiment.runs)
-    for (const Reading& reading : run.readings) {
-      force.push_back(std::hypot(or_zero(reading[column_Fx]), or_zero(reading[column_Fy])));
-      for (const LoadChannel& load : loads)
-        force.back() =
-            std::max(force.back(), std::abs(reading.covariates[load.covariate]) * load.moves.norm());
-    }
+    for (const Reading& reading : run.readings) force.push_back(load_of(reading, along));
   if (force.empty()) return 0;
   const auto place = force.begin() + static_cast<std::ptrdiff_t>(0.9 * static_cast<double>(force.size()));
   std::nth_element(force.begin(), place, force.end());
@@ -58,19 +61,23 @@ bool reads_both_forces(const Run& run) {
          any_reading(run, [](const Reading& reading) { return std::isfinite(reading[column_Fy]); });
 }
 
-/// How the run loads the chain, or the joint, and by which sensor.
-void find_loading(const Run& run, CharacteristicScales& size) {
-  const bool reads = reads_force(run), senses = reads || !(run.holds_end_point() || run.by_weights);
-  if (run.alone != Alone::no) {
-    size.reads_load = size.reads_load || reads;
-    size.load_sensor = size.load_sensor || senses;
-    return;
-  }
-  const auto loaded = [&](const Reading& one) { return run.imposed_at(one).norm() > 0; };
+/// Whether a sensor, not known weights, says what loads an arm.
+bool reads_wrench(const Run& run) {
+  return !run.by_weights && any_reading(run, [](const Reading& reading) { return !reading.wrench.empty(); });
+}
+
+/// How the run loads the device, and by which sensor.
+void find_loading(const Run& run, bool has_end, CharacteristicScales& size) {
+  const bool reads = reads_force(run);
   size.measures_force = size.measures_force || reads;
-  size.imposes_force = size.imposes_force || (!run.holds_end_point() && any_reading(run, loaded));
+  size.load_cell = size.load_cell || reads || reads_wrench(run) ||
+                   (!size.has_frames && !(run.holds_end_point() || run.by_weights));
+  size.drives = size.drives || run.commands_joints() || !run.by_weights;
+  const bool loaded = any_reading(run, [](const Reading& one) { return load_of(one, {}) > 0; });
+  size.imposes_force = size.imposes_force || (!run.holds_end_point() && loaded);
+  if (!has_end) return;
+  size.end_is_loaded = size.end_is_loaded || run.holds_end_point() || loaded;
   size.pivot = size.pivot || !run.by_weights;
-  size.load_cell = size.load_cell || senses;
   size.measures_both_forces = size.measures_both_forces || reads_both_forces(run);
 }
 
@@ -91,66 +98,102 @@ void find_plateau(const Experiment& experiment, CharacteristicScales& size) {
   });
 }
 
-/// Whether weights of known masses, without a sensor, load an arm.
-bool reads_wrench(const Run& run) {
-  return !run.by_weights && any_reading(run, [](const Reading& reading) { return !reading.wrench.empty(); });
-}
-
-/// Scales of loads on an arm in space, and what its joints do.
-void add_arm(const Experiment& experiment, CharacteristicScales& size) {
-  const SerialArm<double>& arm = experiment.arm->arm;
-  size.arm = experiment.arm;
-  size.moves.assign(arm.size(), false);
-  double mass = 0, force = 0;
-  for (const ArmLink<double>& link : arm.links) {
-    mass += link.mass;
-    size.yields = size.yields || link.joint_compliance > 0 || yields(link);
-  }
-  for (const Run& run : experiment.runs) {
-    size.load_cell = size.load_cell || reads_wrench(run);
-    for (const Reading& reading : run.readings) {
-      force = std::max(force, reading.wrench_force().norm());
-      size.warms = size.warms || reading.covariates != experiment.runs.front().readings.front().covariates;
-      for (std::size_t j = 0; j < arm.size(); ++j)
-        size.moves[j] = size.moves[j] || std::abs(reading.rest[j] - experiment.runs.front().rest[j]) > 1e-3;
-    }
-  }
-  for (const MeasuredPoint& point : experiment.arm_bench.points)
-    size.tool_is_measured = size.tool_is_measured || point.at.link + 1 == arm.size();
-  const double kilogram = 1, weight = mass * arm.gravity.norm();
-  size.imposes_force = force > 0;
-  size.mass = mass > 0 ? mass / static_cast<double>(arm.size()) : kilogram;
-  size.nominal_weight = weight > 0;
-  size.weighs = true;
-  size.force = std::max({force, 0.3 * weight, 1e-3 * standard_gravity});
-  size.torque = 0.3 * size.force * size.length;
-  constexpr double yields_little = 1e-3;  // rad, of joints that are modelled as rigid, under a typical torque
-  if (!(size.stiffness > 0)) size.stiffness = size.torque / yields_little;
-  size.deflection = std::clamp(size.torque / size.stiffness, 1e-6, 1.0);
-}
-
-}  // namespace
-
-CharacteristicScales characteristic_scales(const Experiment& experiment) {
-  CharacteristicScales size;
-  size.links = experiment.alone == Alone::no;
+/// The joints and links, and whether they weigh anything.
+void find_device(const Experiment& experiment, CharacteristicScales& size) {
+  const std::size_t n = experiment.joint_stiffness.size();
   size.joint_stiffness = experiment.joint_stiffness;
   size.link_length = experiment.link_length;
+  size.link_mass = experiment.link_mass;
+  size.link_mass.resize(n, 0.0);
+  size.reach = experiment.link_length;
+  size.links = experiment.alone == Alone::no;
+  size.slides.assign(n, experiment.alone == Alone::slides);
+  size.rigid.assign(n, false);
+  double gravity = std::hypot(experiment.gravity[0], experiment.gravity[1]);
+  size.weighs = experiment.bench.plane != Bench::Plane::horizontal;
+  if (experiment.arm) {
+    const SerialArm<double>& arm = experiment.arm->arm;
+    size.has_frames = size.reads_encoders = true;
+    for (std::size_t j = 0; j < n; ++j) {
+      size.slides[j] = arm.links[j].kind == JointKind::prismatic;
+      size.rigid[j] = !(experiment.joint_stiffness[j] > 0);
+      size.reach[j] = arm.far_end(j).translation().norm();
+    }
+    gravity = arm.gravity.norm();
+    size.weighs = gravity > 0;
+    for (const MeasuredPoint& point : experiment.arm_bench.points)
+      size.tool_is_measured = size.tool_is_measured || point.at.link + 1 == n;
+  }
+  for (const double length : experiment.link_length) size.length += length;
+  size.link = size.length / static_cast<double>(n);
+  for (const double mass : size.link_mass) size.mass += mass / static_cast<double>(n);
+  size.nominal_weight = gravity > 0 && size.mass > 0;
+  size.gravity = gravity > 0 ? gravity : standard_gravity;
   double elastic = 0;
   for (const double k : experiment.joint_stiffness) {
     size.stiffness += k;
     elastic += k > 0;
   }
   size.stiffness /= std::max(1.0, elastic);
-  for (const double length : experiment.link_length) size.length += length;
-  size.link = size.length / static_cast<double>(experiment.link_length.size());
+}
+
+/// Which commands change, and whether the temperature does.
+void find_motion(const Experiment& experiment, CharacteristicScales& size) {
+  size.moves.assign(size.joint_stiffness.size(), false);
+  constexpr double still = 1e-3;  // rad or m
+  const bool noted = std::find(experiment.covariates.begin(), experiment.covariates.end(), "temperature") !=
+                     experiment.covariates.end();
+  for (const Run& run : experiment.runs)
+    for (const Reading& reading : run.readings) {
+      size.warms = size.warms || (noted && size.has_frames &&
+                                  reading.covariates != experiment.runs.front().readings.front().covariates);
+      for (std::size_t j = 0; j < reading.rest.size(); ++j)
+        size.moves[j] = size.moves[j] || std::abs(reading.rest[j] - experiment.runs.front().rest[j]) > still;
+    }
+}
+
+/// Typical loads, and how far they turn a joint.
+void find_sizes(const Experiment& experiment, CharacteristicScales& size) {
+  const double unit = size.stiffness / size.length;
+  const double weight = size.nominal_weight ? size.mass * static_cast<double>(size.link_mass.size()) *
+                                                  size.gravity
+                                            : 0;
+  const double force = std::max(typical_force(experiment), 0.3 * weight);
+  constexpr double gram = 1e-3;  // kg
+  // Without loads, as where a servo alone moves the joints, the typical one turns a joint by 0.03 rad.
+  size.force = force > 0  ? std::max(force, 1e-4 * unit)
+               : unit > 0 ? 0.1 * unit
+                          : gram * standard_gravity;
+  // That on a lever of a third of the chain.
+  size.torque = 0.3 * size.force * size.length;
+  constexpr double yields_little = 1e-3;  // rad, of joints that are modelled as rigid
+  if (!(size.stiffness > 0)) size.stiffness = size.torque / yields_little;
+  if (!(size.mass > 0)) size.mass = size.force / standard_gravity;
+  size.deflection = std::clamp(size.torque / size.stiffness, 1e-6, 1.0);
+  // Flexures turn by a fraction of a milliradian: the angles of arms would be out of all proportion.
+  constexpr double hardly = 0.01;
+  const bool moves = std::find(size.moves.begin(), size.moves.end(), true) != size.moves.end();
+  if (force > 0 && !moves) size.turn = std::min(1.0, size.deflection / hardly);
+}
+
+}  // namespace
+
+std::size_t CharacteristicScales::kinds_read() const {
+  return static_cast<std::size_t>(std::count(measured.begin(), measured.end(), true));
+}
+
+CharacteristicScales characteristic_scales(const Experiment& experiment) {
+  CharacteristicScales size;
+  find_device(experiment, size);
+  find_motion(experiment, size);
+  find_sizes(experiment, size);
   for (const Run& run : experiment.runs) {
     if (!run.readings.empty())
       size.duration = std::max(size.duration, run.readings.back().t - run.readings.front().t);
     if (const double pause = run.sampling_interval(); pause > 0)
       size.sampling_interval = size.sampling_interval > 0 ? std::min(size.sampling_interval, pause) : pause;
     size.clock = size.clock || !run.counts_readings();
-    find_loading(run, size);
+    find_loading(run, size.links && !size.has_frames, size);
     for (const Channel& channel : run.measured())
       if (!run.planned.empty() ||
           any_reading(run, [&](const Reading& reading) { return std::isfinite(channel.of(reading)); }))
@@ -162,21 +205,8 @@ CharacteristicScales characteristic_scales(const Experiment& experiment) {
   size.runs = experiment.run_count;
   find_plateau(experiment, size);
   find_tendons(experiment, size);
-  // Without forces, as in a sag test, the typical force turns a joint by a tenth of a radian.
-  const double force = typical_force(experiment), unit = size.stiffness / size.length;
-  size.force = force > 0 ? std::max(force, 1e-4 * unit) : 0.1 * unit;
   size.duration = std::max(size.duration, 1e-3);
   size.sampling_interval = size.sampling_interval > 0 ? size.sampling_interval : size.duration;
-  // The deflection that the force gives a lever of half the chain, kept to what angles can be.
-  size.deflection = std::clamp(0.3 * size.force * size.length / size.stiffness, 1e-4, 1.0);
-  // Flexures turn by a fraction of a milliradian: what is typical of arms would be out of all proportion.
-  constexpr double hardly = 0.01;
-  if (force > 0) size.turn = std::min(1.0, size.deflection / hardly);
-  const bool falls = experiment.gravity[0] != 0 || experiment.gravity[1] != 0;
-  size.nominal_weight = falls && std::any_of(experiment.link_mass.begin(), experiment.link_mass.end(),
-                                             [](double mass) { return mass > 0; });
-  size.weighs = experiment.bench.plane != Bench::Plane::horizontal;
-  if (experiment.arm) add_arm(experiment, size);
   return size;
 }
 

@@ -3,83 +3,46 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <plumbline/base/error.hpp>
 
 #include "diagnose/rig/effects/rows.hpp"
 
 namespace plumbline::diagnose {
 
-double catalogue_value(Coordinate coordinate, double fitted) {
-  switch (coordinate) {
-    case Coordinate::logarithm:
-      return std::exp(fitted);
-    case Coordinate::reciprocal:
-      return 1 / fitted;
-    case Coordinate::plain:
-      break;
-  }
-  return fitted;
-}
-
-double fitted_value(Coordinate coordinate, double catalogue_units) {
-  switch (coordinate) {
-    case Coordinate::logarithm:
-      return std::log(catalogue_units);
-    case Coordinate::reciprocal:
-      return 1 / catalogue_units;
-    case Coordinate::plain:
-      break;
-  }
-  return catalogue_units;
-}
-
-ParameterRange both_ways(std::string_view name, std::string_view unit, double scale, double low,
-                         double high) {
-  return {name, unit, Coordinate::plain, scale, low, high, 0};
-}
-
-ParameterRange one_way(std::string_view name, std::string_view unit, double scale, double high) {
-  return {name, unit, Coordinate::plain, scale, 0, high, 0};
-}
-
 const std::vector<Effect>& catalogue() {
   static const std::vector<Effect> all = [] {
     std::vector<Effect> rows;
-    for (const auto& group : {joint_effects, link_effects, bench_effects, load_cell_effects, common_effects,
-                              joint_law_effects, friction_effects, instrument_effects})
+    for (const auto& group : {joint_effects, joint_law_effects, friction_effects, command_effects, link_effects,
+                              axis_effects, bench_effects, tool_effects, load_sensor_effects,
+                              place_sensor_effects, joint_sensor_effects, common_effects, run_effects})
       for (Effect& row : group()) rows.push_back(std::move(row));
     return rows;
   }();
   return all;
 }
 
-const std::vector<Effect>& arm_catalogue() {
-  static const std::vector<Effect> all = [] {
-    std::vector<Effect> rows;
-    for (const auto& group : {arm_joint_effects, arm_tool_effects, arm_bench_effects})
-      for (Effect& row : group()) rows.push_back(std::move(row));
-    return rows;
-  }();
+const std::map<std::string_view, std::string_view>& former_ids() {
+  static const std::map<std::string_view, std::string_view> all{
+      {"joint_zero", "rest_angle"},        {"zero_spread", "rest_spread"},   {"axis_spread", "length_spread"},
+      {"link_flexibility", "link_bending"}, {"tool_mass", "tip_payload"},     {"load_offset", "eccentric_load"},
+      {"mount_compliance", "base_compliance"}, {"tracker_offset", "position_offset"},
+      {"tracker_turn", "camera_turn"},     {"tracker_scale", "camera_scale"}, {"wrench_bias", "force_bias"},
+      {"load_zero", "force_bias"},         {"wrench_scale", "force_gain"},   {"load_gain", "force_gain"},
+      {"load_drift", "sensor_drift"},      {"load_lag", "sensor_lag"}};
   return all;
 }
 
-std::vector<const Effect*> rows_for(bool arm) {
-  std::vector<const Effect*> rows;
-  for (const Effect& row : catalogue())
-    if (!arm || row.in_space) rows.push_back(&row);
-  if (!arm) return rows;
-  for (const Effect& row : arm_catalogue()) rows.push_back(&row);
-  return rows;
+std::string_view current_id(std::string_view id) {
+  const auto found = former_ids().find(id);
+  return found == former_ids().end() ? id : found->second;
 }
 
 const Effect& effect(std::string_view id, std::size_t joint) {
   const Effect* named = nullptr;
-  for (const std::vector<Effect>* rows : {&catalogue(), &arm_catalogue()})
-    for (const Effect& row : *rows)
-      if (row.id == id &&
-          (named == nullptr || (row.at_joint == (joint > 0) && row.at_joint != named->at_joint)))
-        named = &row;
+  for (const Effect& row : catalogue())
+    if (row.id == current_id(id) &&
+        (named == nullptr || (row.at_joint == (joint > 0) && row.at_joint != named->at_joint)))
+      named = &row;
   if (named != nullptr) return *named;
   throw Error("effect", std::string(id), "an id of the effect catalogue");
 }
@@ -126,12 +89,8 @@ bool Candidate::is_part_of(const Candidate& other) const {
 }
 
 bool Candidate::has_all_tolerances() const {
-  const auto has_those_of = [&](bool arm) {
-    const std::vector<const Effect*> rows = rows_for(arm);
-    return std::all_of(rows.begin(), rows.end(),
-                       [&](const Effect* row) { return !row->is_tolerance || has(EffectAt(*row)); });
-  };
-  return has_those_of(false) || has_those_of(true);
+  return std::all_of(catalogue().begin(), catalogue().end(),
+                     [&](const Effect& row) { return !row.is_tolerance || has(EffectAt(row)); });
 }
 
 bool Candidate::has_as_tolerance(const EffectAt& at) const {

@@ -3,46 +3,16 @@
 /// The rows of the catalogue of effects, and candidates: sets of effects that act together.
 
 #include <functional>
-#include <limits>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "diagnose/rig/characteristic_scales.hpp"
+#include "diagnose/rig/parameter_range.hpp"
 #include "diagnose/rig/rig.hpp"
 
 namespace plumbline::diagnose {
-
-/// The coordinate in which a parameter is fitted: its value, its logarithm (time constants) or its reciprocal
-/// (rigidities, so that zero is the nominal model).
-enum class Coordinate { plain, logarithm, reciprocal };
-
-/// Conversions between the fitted coordinate and the catalogue's units.
-double catalogue_value(Coordinate coordinate, double fitted);
-double fitted_value(Coordinate coordinate, double catalogue);
-
-/// A parameter of an effect, in one experiment. `scale`, `low` and `high` are in the fitted coordinate.
-struct ParameterRange {
-  std::string_view name;
-  std::string_view unit;  ///< "N m", or "ratio" for one
-  Coordinate coordinate;
-  double scale;      ///< typical size of the effect on a bench; the difference step is a share of it
-  double low, high;  ///< physical bounds
-  /// Standard deviation of a Gaussian prior about zero, for a manufacturing tolerance; 0 for other
-  /// parameters.
-  double tolerance = 0;
-  /// Below this value the effect only describes how the torque depends on the angle.
-  double shape_below = -std::numeric_limits<double>::infinity();
-
-  /// Whether zero is the nominal model.
-  [[nodiscard]] bool may_be_nothing() const { return coordinate == Coordinate::plain && low <= 0; }
-  /// Whether the parameter is a threshold, such as the angle of a stop: bounded away from zero.
-  [[nodiscard]] bool is_onset() const { return coordinate == Coordinate::plain && low > 0; }
-};
-
-/// Parameters whose zero is the nominal model: of either sign, and non-negative.
-ParameterRange both_ways(std::string_view name, std::string_view unit, double scale, double low, double high);
-ParameterRange one_way(std::string_view name, std::string_view unit, double scale, double high);
 
 /// The experiment's scales and, for an effect at one joint or link, its number from 0.
 struct Place {
@@ -96,35 +66,29 @@ struct Effect {
   /// Initial guesses of a fit. Without them: zero and, for a single parameter, one scale to either side.
   std::function<InitialGuesses(const Place& at, const Excitation& nominal)> initial_guesses = nullptr;
   Perturbation perturbation = {};
-  /// Smallest number of non-zero parameters, of those that are zero in the nominal model: with fewer the
-  /// effect is a simpler row.
-  std::size_t at_least = 1;
   /// Number of parameters of one element, for rows made of several interchangeable elements; reports list the
   /// elements in ascending order of the last of these parameters. 0 for other rows.
   std::size_t element_size = 0;
   /// The rows of every model order (number of elements), this one among them, in ascending order; null where
   /// the order is fixed.
   std::function<std::vector<const Effect*>()> orders = nullptr;
-  /// Describes how a torque depends on the angle, without a mechanism of its own.
-  bool of_shape = false;
   /// A manufacturing tolerance: present on every chain, and beside any cause.
   bool is_tolerance = false;
   /// Stands for a cause that the catalogue does not have.
   bool outside = false;
-  /// Acts on arms in space too.
-  bool in_space = false;
 };
 
-/// All effects of chains in the plane, in the order of docs/effects.md.
+/// All effects, in the order of docs/effects.md.
 const std::vector<Effect>& catalogue();
-/// The effects of arms in space alone, in the order of docs/arms.md.
-const std::vector<Effect>& arm_catalogue();
-/// The rows for a chain in the plane or for an arm in space: some are in both.
-std::vector<const Effect*> rows_for(bool arm);
+
+/// Ids of former releases, and those that they have now.
+const std::map<std::string_view, std::string_view>& former_ids();
+/// The present id of an effect that had another one before; other ids stay.
+std::string_view current_id(std::string_view id);
 
 /// The row of an id. Of several rows with that id, the first of those at a single joint where `joint` (from
-/// 1) is given, else of those with one value for all joints.
-/// \throws Error for an id that neither catalogue has
+/// 1) is given, else of those with one value for all joints. A former id names the present row.
+/// \throws Error for an id that the catalogue does not have
 const Effect& effect(std::string_view id, std::size_t joint = 0);
 
 /// An effect at its place. `joint` counts from 1; 0 where the effect is not at one joint.

@@ -10,6 +10,7 @@
 #include <plumbline/chain/kinematics.hpp>
 
 #include "diagnose/rig/arm_history.hpp"
+#include "diagnose/rig/delayed.hpp"
 #include "diagnose/rig/rig_solver.hpp"
 #include "diagnose/rig/substeps.hpp"
 
@@ -28,6 +29,11 @@ Eigen::Matrix2d cross_talk(const Rig& rig) {
   return mixed;
 }
 
+/// What a load cell shows without load.
+Vector2 zero_of_cell(const Rig& rig, double t) {
+  return rig.force_bias.head<2>() + rig.force_drift.head<2>() * t;
+}
+
 /// The reading of a load cell without bias: (1 + g) m (1 + c m) for each component of m = (1 + C) F, with the
 /// force F in its axes.
 Vector2 shown_by_cell(const Rig& rig, const Vector2& force) {
@@ -43,17 +49,33 @@ Vector2 force_on_cell(const Rig& rig, const Vector2& shown) {
   return cross_talk(rig).inverse() * mixed;
 }
 
+/// A stop on the way: a reading, or a place between two of them, by their numbers.
+struct Stop {
+  const Reading& reading;  ///< as commanded
+  std::optional<std::size_t> from, to = std::nullopt;
+  double share = 1;  ///< of the way between them
+};
+
 /// A rig in one run: its posture and memory.
 struct Traveller {
   Traveller(const Experiment& experiment, const Rig& rig, const Run& run)
       : on(rig, run.rest),
         unloaded(unloaded_end(experiment, run.rest)),
         memory(run.rest.size()),
+        behind_(rig.command_delay > 0 ? delayed(run, rig.command_delay) : std::vector<Reading>{}),
         load_history_(experiment.loads, rig.length.size(), rig.moment_arm_error, rig.capstan_friction) {
     for (std::size_t i = 0; i < memory.size(); ++i) {
       memory[i].angle = on.joint[i].rest;
       rest_then_.push_back(on.joint[i].rest);
     }
+  }
+
+  /// The command at a stop, as late as the drives follow it.
+  [[nodiscard]] const Reading& led_to(const Stop& stop) {
+    if (behind_.empty() || !stop.to) return stop.reading;
+    if (!stop.from || stop.share == 1) return behind_[*stop.to];
+    on_the_way_ = between(behind_[*stop.from], behind_[*stop.to], stop.share);
+    return on_the_way_;
   }
 
   /// Commands other joint angles.
@@ -77,7 +99,7 @@ struct Traveller {
     const Rig& rig = on.rig;
     const Vector2 force(posture.force.x, posture.force.y);
     Vector2 read =
-        shown_by_cell(rig, turned(force, -rig.misalignment)) + rig.force_bias + rig.force_drift * t;
+        shown_by_cell(rig, turned(force, -rig.misalignment)) + zero_of_cell(rig, t);
     read.x() += rig.guide_friction * direction;
     return lagging(read, dt).cwiseMin(rig.force_limit).cwiseMax(-rig.force_limit);
   }
@@ -113,10 +135,11 @@ struct Traveller {
   [[nodiscard]] Vector2 at_end(const Run& run, const Reading& reading, double growing) const {
     const Rig& rig = on.rig;
     if (run.holds_end_point())
-      return unloaded + turned(run.imposed_at(reading) - unloaded, rig.misalignment) + rig.position_offset;
+      return unloaded + turned(run.imposed_at(reading) - unloaded, rig.misalignment) +
+             rig.position_offset.head<2>();
     const double passed = rig.pulley_friction == 0 ? 1 : std::exp(-rig.pulley_friction * growing);
     if (run.by_weights) return turned(passed * run.imposed_at(reading), rig.misalignment);
-    const Vector2 read = run.imposed_at(reading) - rig.force_bias - rig.force_drift * reading.t;
+    const Vector2 read = run.imposed_at(reading) - zero_of_cell(rig, reading.t);
     return turned(passed * force_on_cell(rig, read), rig.misalignment);
   }
 
@@ -133,6 +156,8 @@ struct Traveller {
     return shown_;
   }
 
+  std::vector<Reading> behind_;  ///< the readings with delayed commands; none without delay
+  Reading on_the_way_{};         ///< between two of them
   Vector2 felt_ = Vector2::Zero(), shown_ = Vector2::Zero();  ///< at the last reading
   std::vector<double> rest_then_;                             ///< of each joint, likewise
   LoadHistory load_history_;
@@ -167,7 +192,7 @@ class RunWalk {
 
   /// Fills the rows of the run; `sensitivity` holds the difference of each varied rig from the rig.
   bool walk(Trace& trace, const std::vector<Trace*>& sensitivity) {
-    if (before_ && !go_to(*before_, std::nullopt)) return false;
+    if (before_ && !go_to({*before_, std::nullopt})) return false;
     if (before_) last_ = &*before_;
     for (std::size_t r = 0; r < run_.readings.size(); ++r) {
       const auto row = static_cast<Eigen::Index>(r);
@@ -276,11 +301,12 @@ class RunWalk {
     const std::size_t count = last_ ? parts_[r] : 1;
     for (std::size_t part = 1; part < count; ++part) {
       const double share = static_cast<double>(part) / static_cast<double>(count);
-      if (!go_to(between(*last_, reading, share), std::nullopt)) break;
+      if (!go_to({between(*last_, reading, share), last_number_, r, share})) break;
     }
-    if (!go_to(reading, r)) return false;
+    if (!go_to({reading, last_number_, r})) return false;
     notice_turns();
     last_ = &reading;
+    last_number_ = r;
     return true;
   }
 
@@ -298,36 +324,39 @@ class RunWalk {
     }
   }
 
-  /// \param r  its number, for a reading; nullopt for a substep
-  bool go_to(const Reading& reading, std::optional<std::size_t> r) {
+  bool go_to(const Stop& stop) {
+    const Reading& reading = stop.reading;
     const double dt = moved_ ? reading.t - last_time_ : 0;
     const double size = run_.imposed_at(reading).norm();
     if (size != last_size_) growing_ = size > last_size_ ? 1 : -1;
     last_size_ = size;
-    const Imposed& target = main_.impose(run_, reading, growing_);
+    const Reading& led = main_.led_to(stop);
+    const Imposed& target = main_.impose(run_, led, growing_);
     const Vector2 command = run_.command(reading);
     const bool ends_alone = reading.rest.empty() && run_.loads.empty();
     const double way = ends_alone ? (target.value - at_.value).norm() : (command - commanded_).norm(),
                  share = last_way_ > 0 ? way / last_way_ : 0;
-    const auto step_of = [&](Traveller& rig) {
-      if (!reading.rest.empty()) rig.turn_to(reading.rest);
+    const auto step_of = [&](Traveller& rig, const Reading& its) {
+      if (!its.rest.empty()) rig.turn_to(its.rest);
       rig.expect(share, dt);
       RigStep step{rig.on, moved_ ? time_step(rig.on, dt) : TimeStep{}, rig.memory};
       step.interval.end = reading.t;
       step.interval.covariates = reading.covariates;
       return step;
     };
-    const RigStep step = step_of(main_);
+    const RigStep step = step_of(main_, led);
     extrapolate(target);
     last_posture_ = main_.posture;
     const bool arrives = solver_.follow(step, at_, target, guess_, main_.posture);
-    const bool crosses = r && run_.branch && crosses_over(step, target, *r, arrives);
+    const bool crosses =
+        stop.to && stop.share == 1 && run_.branch && crosses_over(step, target, *stop.to, arrives);
     if (!arrives && !crosses) return false;
     snapped_ = snapped_ || (!crosses && solver_.snapped());
     if (!beside_.empty()) solver_.prepare(step, target, main_.posture);
     for (Traveller& other : beside_) {
-      const RigStep its = step_of(other);
-      solver_.neighbour(its, other.impose(run_, reading, growing_), main_.posture, other.posture);
+      const Reading& its_own = other.led_to(stop);
+      const RigStep its = step_of(other, its_own);
+      solver_.neighbour(its, other.impose(run_, its_own, growing_), main_.posture, other.posture);
       other.remember(layout_, its.interval);
     }
     main_.remember(layout_, step.interval);
@@ -348,8 +377,8 @@ class RunWalk {
       force = rig.measure_force(reading.t, interval_, direction_.x());
     } else {
       const Vector2 place =
-          solver_.end_point(rig.on, rig.imposed.loads, rig.posture) - rig.on.rig.position_offset;
-      end = turned((1 + rig.on.rig.place_scale) * place, rig.on.rig.place_turn);
+          solver_.end_point(rig.on, rig.imposed.loads, rig.posture) - rig.on.rig.position_offset.head<2>();
+      end = turned((1 + rig.on.rig.place_scale) * place, rig.on.rig.place_turn.z());
     }
     row(column_x) = end.x();
     row(column_y) = end.y();
@@ -359,7 +388,8 @@ class RunWalk {
     row(column_Fx_2) = second.x();
     row(column_Fy_2) = second.y();
     for (std::size_t i = 0; i < layout_.links; ++i)
-      row(column_q + static_cast<Eigen::Index>(i)) = layout_.joint_angle(rig.posture.angle, i);
+      row(column_q + static_cast<Eigen::Index>(i)) =
+          rig.on.rig.angle_read[i].shown(layout_.joint_angle(rig.posture.angle, i));
     correct(rig.on, reading, row);
   }
 
@@ -401,7 +431,8 @@ class RunWalk {
   Vector2 last_step_ = Vector2::Zero(), commanded_ = Vector2::Zero();
   double last_way_ = 0;  ///< length of the last step of the command
   Imposed at_{Control::end_point, Vector2::Zero()};
-  const Reading* last_ = nullptr;  ///< with a known command
+  const Reading* last_ = nullptr;           ///< with a known command
+  std::optional<std::size_t> last_number_;  ///< of it; none before the first
   double last_time_ = 0;
   double interval_ = 0;                  ///< before the last reading; 0 at the first
   double last_size_ = 0, growing_ = 1;   ///< of the imposed force: its size, and whether it grows (1, -1)
@@ -410,9 +441,20 @@ class RunWalk {
   bool moved_ = false, snapped_ = false;
 };
 
-bool walk(const Experiment& experiment, const Run& run, const Layout& layout, const Rig& rig,
-          const std::vector<Rig>& variations, Trace& trace, const std::vector<Trace*>& sensitivity,
-          bool& snapped) {
+/// Of the rig and of those beside it.
+Layout layout_of(const Rig& rig, const std::vector<Rig>& variations) {
+  Layout layout{rig.length.size(), rig.flexibility > 0, rig.coupling != 0, contact_count(rig)};
+  for (const Rig& other : variations) {
+    layout.coupled = layout.coupled || other.coupling != 0;
+    layout.sliders = std::max(layout.sliders, contact_count(other));
+  }
+  return layout;
+}
+
+bool walk(const Experiment& experiment, const Run& run, const Rig& rig, const std::vector<Rig>& variations,
+          Trace& trace, const std::vector<Trace*>& sensitivity, bool& snapped) {
+  if (rig.arm) return walk_arm(experiment, run, rig, variations, trace, sensitivity);
+  const Layout layout = layout_of(rig, variations);
   const auto with = [&]<int Bandwidth>() {
     RunWalk<Bandwidth> one(experiment, run, layout, rig, variations);
     const bool reached = one.walk(trace, sensitivity);
@@ -429,13 +471,10 @@ bool walk(const Experiment& experiment, const Run& run, const Layout& layout, co
   }
 }
 
-Layout layout_of(const Rig& rig, const std::vector<RigVariation>& variations) {
-  Layout layout{rig.length.size(), rig.flexibility > 0, rig.coupling != 0, contact_count(rig)};
-  for (const RigVariation& other : variations) {
-    layout.coupled = layout.coupled || other.rig.coupling != 0;
-    layout.sliders = std::max(layout.sliders, contact_count(other.rig));
-  }
-  return layout;
+/// Those of a trace.
+Eigen::Index columns_of(const Experiment& experiment) {
+  if (experiment.arm) return columns_of_arm(experiment);
+  return column_q + static_cast<Eigen::Index>(experiment.link_length.size());
 }
 
 }  // namespace
@@ -455,12 +494,10 @@ std::vector<double> reading_values(const Eigen::Ref<const Eigen::ArrayXd>& row, 
 
 Prediction simulate(const Experiment& experiment, const Rig& rig,
                     const std::vector<RigVariation>& variations) {
-  if (experiment.arm) return simulate_arm(experiment, rig, variations);
-  const Layout layout = layout_of(rig, variations);
+  const auto columns = columns_of(experiment);
   Prediction result;
   for (const Run& run : experiment.runs) {
     const auto rows = static_cast<Eigen::Index>(run.readings.size());
-    const auto columns = column_q + static_cast<Eigen::Index>(layout.links);
     result.runs.push_back(Trace::Constant(rows, columns, std::numeric_limits<double>::quiet_NaN()));
   }
   result.sensitivity.assign(variations.size(), result.runs);
@@ -477,7 +514,7 @@ Prediction simulate(const Experiment& experiment, const Rig& rig,
         beside.push_back(&trace);
       }
     }
-    if (!walk(experiment, experiment.runs[r], layout, here, differ, result.runs[r], beside, result.snapped)) {
+    if (!walk(experiment, experiment.runs[r], here, differ, result.runs[r], beside, result.snapped)) {
       result.reached = false;
       return result;
     }

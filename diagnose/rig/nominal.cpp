@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <map>
 #include <plumbline/base/error.hpp>
 
 #include "diagnose/rig/effect.hpp"
@@ -35,6 +37,11 @@ Rig without_effects(const Experiment& experiment) {
   rig.give.assign(n, 0);
   rig.friction.assign(n, 0);
   rig.sliders.resize(n);
+  rig.balance.assign(n, Vector2::Zero());
+  rig.command_scale.assign(n, 0);
+  rig.encoder.resize(n);
+  rig.angle_read.resize(n);
+  rig.torque_read.resize(n);
   for (const Point<double>& weight : weights(experiment)) rig.weight.emplace_back(weight.x, weight.y);
   rig.weight.resize(n, Vector2::Zero());
   if (experiment.arm) rig.arm = ArmRig::nominal(experiment);
@@ -49,15 +56,32 @@ std::string place_of(const Experiment& experiment, std::size_t number, const std
 /// The rows that a nominal model may have: the catalogue's of every model order, and the user's.
 std::vector<const Effect*> rows_of(const Experiment& experiment) {
   std::vector<const Effect*> rows;
-  for (const Effect* row : rows_for(experiment.arm != nullptr)) {
-    rows.push_back(row);
-    if (!row->orders) continue;
-    for (const Effect* other : row->orders())
-      if (other != row) rows.push_back(other);
+  for (const Effect& row : catalogue()) {
+    rows.push_back(&row);
+    if (!row.orders) continue;
+    for (const Effect* other : row.orders())
+      if (other != &row) rows.push_back(other);
   }
   if (experiment.stated)
     for (const Effect& row : *experiment.stated) rows.push_back(&row);
   return rows;
+}
+
+/// An effect by a former id, with the parameters that its row has now.
+NominalEffect in_present_terms(NominalEffect own, double gravity) {
+  if (current_id(own.id) == own.id) return own;
+  std::map<std::string, double> present;
+  for (const auto& [name, value] : own.parameters) {
+    if (name == "m")
+      present["weight"] = value * gravity;
+    else if (name == "f")
+      present["EI"] = 1 / value;
+    else
+      present[name.starts_with("F_") ? "b_" + name.substr(2) : name] = value;
+  }
+  own.parameters = std::move(present);
+  own.id = current_id(own.id);
+  return own;
 }
 
 /// Whether a row has exactly these parameters in this chain.
@@ -71,8 +95,8 @@ bool has_parameters(const Effect& row, const NominalEffect& own, const Character
 
 /// The row that the effect names; of two, the one that has its parameters.
 /// \throws Error for an id or joint that no row has
-const Effect& row_of(const Experiment& experiment, const CharacteristicScales& sizes, std::size_t number) {
-  const NominalEffect& own = experiment.effects[number];
+const Effect& row_of(const Experiment& experiment, const CharacteristicScales& sizes, std::size_t number,
+                     const NominalEffect& own) {
   const std::size_t n = experiment.link_length.size();
   bool known = false;
   const Effect* named = nullptr;
@@ -94,9 +118,8 @@ const Effect& row_of(const Experiment& experiment, const CharacteristicScales& s
 
 /// The effect's parameters in the order of its row, which bounds their signs.
 /// \throws Error for a missing, unknown or wrongly signed parameter
-std::vector<double> values_of(const Experiment& experiment, std::size_t number, const Effect& row,
-                              const Place& at) {
-  const NominalEffect& own = experiment.effects[number];
+std::vector<double> values_of(const Experiment& experiment, std::size_t number, const NominalEffect& own,
+                              const Effect& row, const Place& at) {
   std::vector<double> values;
   std::string names;
   for (const ParameterRange& range : row.parameters(at)) {
@@ -146,9 +169,10 @@ Rig nominal_rig(const Experiment& experiment) {
   rig.laws = experiment.laws;
   const CharacteristicScales sizes = characteristic_scales(experiment);
   for (std::size_t e = 0; e < experiment.effects.size(); ++e) {
-    const Effect& row = row_of(experiment, sizes, e);
-    const std::size_t joint = row.at_joint ? experiment.effects[e].joint - 1 : 0;
-    const std::vector<double> values = values_of(experiment, e, row, {sizes, joint});
+    const NominalEffect own = in_present_terms(experiment.effects[e], sizes.gravity);
+    const Effect& row = row_of(experiment, sizes, e, own);
+    const std::size_t joint = row.at_joint ? own.joint - 1 : 0;
+    const std::vector<double> values = values_of(experiment, e, own, row, {sizes, joint});
     row.add({rig, joint, sizes, experiment.bench.down(), values.data()});
   }
   require_physical(experiment, rig);

@@ -13,12 +13,46 @@ Vector2 unloaded_end(const Experiment& experiment, const std::vector<double>& re
 
 Rig in_run(const Rig& rig, std::size_t run) {
   Rig own = rig;
-  if (run < rig.run_tare.size()) own.force_bias += rig.run_tare[run];
+  if (run < rig.run_tare.size()) own.force_bias.head<2>() += rig.run_tare[run];
   if (run < rig.run_rest.size())
     for (std::size_t i = 0; i < own.rest_error.size(); ++i) own.rest_error[i] += rig.run_rest[run][i];
   own.run_rest.clear();
   own.run_tare.clear();
   return own;
+}
+
+void Rig::add_mass(std::size_t link, double kilograms, const Vector2& gravity) {
+  weight[link] += kilograms * gravity;
+  if (arm) arm->arm.links[link].mass += kilograms;
+}
+
+void Rig::add_bar(std::size_t link, double kilograms, const Vector2& gravity) {
+  weight[link] += kilograms * gravity;
+  if (arm) arm->arm.links[link].add_mass(kilograms, arm->arm.far_end(link).translation() / 2);
+}
+
+void Rig::add_payload(double at_end, const Vector2& down) {
+  payload += at_end * down;
+  if (!arm || arm->arm.gravity.isZero(0)) return;
+  arm->arm.links.back().add_mass(at_end / arm->arm.gravity.norm(), arm->arm.tip.translation());
+}
+
+void Rig::scale_masses(double factor) {
+  for (Vector2& one : weight) one *= factor;
+  if (arm)
+    for (ArmLink<double>& link : arm->arm.links) link.mass *= factor;
+}
+
+void Rig::scale_length(std::size_t link, double factor) {
+  length[link] *= factor;
+  if (!arm) return;
+  SerialArm<double>& own = arm->arm;
+  (link + 1 < own.size() ? own.links[link + 1].frame : own.tip).translation() *= factor;
+}
+
+void Rig::bend(double more) {
+  flexibility += more;
+  for (std::size_t j = 0; arm && j < length.size(); ++j) arm->bend(j, more);
 }
 
 }  // namespace plumbline::diagnose

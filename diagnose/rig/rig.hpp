@@ -4,6 +4,7 @@
 /// model, so that any set of effects can act together.
 
 #include <Eigen/Core>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -41,6 +42,25 @@ struct FrictionLaw {
   friend bool operator==(const FrictionLaw&, const FrictionLaw&) = default;
 };
 
+/// An encoder that says q of a joint that stands at (1 + scale) q + zero + ripple . (cos q, sin q).
+struct Encoder {
+  double zero = 0, scale = 0;
+  Vector2 ripple = Vector2::Zero();
+  /// By how much the joint stands off what it says.
+  [[nodiscard]] double off(double q) const {
+    const double even = scale * q + zero;
+    return ripple.isZero(0) ? even : even + ripple.dot(Vector2(std::cos(q), std::sin(q)));
+  }
+  friend bool operator==(const Encoder&, const Encoder&) = default;
+};
+
+/// A sensor that shows (1 + gain) of what it reads, and beside it a zero.
+struct SensorError {
+  double zero = 0, gain = 0;
+  [[nodiscard]] double shown(double value) const { return (1 + gain) * value + zero; }
+  friend bool operator==(const SensorError&, const SensorError&) = default;
+};
+
 struct Rig {
   bool alone = false;  ///< the one joint has no link: force.x is its torque, and the place x its angle
 
@@ -58,6 +78,14 @@ struct Rig {
   std::vector<double> friction;              ///< tau_c, N m; acts at elastic joints
   std::vector<std::vector<Slider>> sliders;  ///< at elastic joints
   std::vector<Vector2> weight;               ///< dead weight of each link, at its middle, N
+  std::vector<Vector2> balance;  ///< torque on it, of the cosine and the sine of its angle, N m
+
+  // The drives of the joints, and what reads them.
+  double command_delay = 0;             ///< by which what drives impose is behind, s
+  std::vector<double> command_scale;    ///< g: a joint is led to 1 + g times its command
+  std::vector<Encoder> encoder;         ///< by which a servo leads it; the angles read are theirs
+  std::vector<SensorError> angle_read;  ///< of the angles
+  std::vector<SensorError> torque_read;  ///< of the torques of the drives
 
   // The chain as a whole.
   double presliding = 0;                                   ///< turn after which dry friction slips, rad
@@ -77,20 +105,20 @@ struct Rig {
   Vector2 base_compliance = Vector2::Zero();  ///< c_x, c_y, m/N
   double train_compliance = 0;                ///< c_t, m/N
   double misalignment = 0;                    ///< eps, rad
-  Vector2 position_offset = Vector2::Zero();  ///< d_x, d_y, m
+  Vector3<double> position_offset = Vector3<double>::Zero();  ///< of the frame in which places are told, m
   double pulley_friction = 0;                 ///< mu: an imposed force acts times exp(-mu) while it grows
   double moment_arm_error = 0;  ///< a: tendons and pressures turn joints by 1 + a times their moment
   double capstan_friction = 0;  ///< mu: a tendon slips at a joint at a ratio exp(mu) of tensions
 
-  // The camera that reads the end point under imposed forces.
-  double place_scale = 0;  ///< it shows 1 + a times the distance from the base
-  double place_turn = 0;   ///< in axes turned by this, rad
+  // The camera or the tracker that reads places.
+  double place_scale = 0;  ///< it shows 1 + a times the distance from its origin
+  Vector3<double> place_turn = Vector3<double>::Zero();  ///< turned by this rotation vector, rad
 
   // The load cell and the drive.
   double guide_friction = 0;                                     ///< f_c, N
   double force_gain = 0;                                         ///< g
-  Vector2 force_bias = Vector2::Zero();                          ///< b_x, b_y, N
-  Vector2 force_drift = Vector2::Zero();                         ///< r_x, r_y, N/s
+  Vector3<double> force_bias = Vector3<double>::Zero();          ///< N
+  Vector3<double> force_drift = Vector3<double>::Zero();         ///< N/s
   Vector2 cross_talk = Vector2::Zero();                          ///< c_xy, c_yx
   Vector2 cell_curvature = Vector2::Zero();                      ///< c_x, c_y, 1/N
   double force_limit = std::numeric_limits<double>::infinity();  ///< range of the load cell, N
@@ -113,6 +141,18 @@ struct Rig {
   // User effects.
   std::vector<StatedTorque> stated_torques;
   std::vector<StatedCorrection> stated_corrections;
+
+  /// Adds to the mass of a link, at its own centre.
+  /// \param gravity  of a chain in the plane; an arm in space has its own
+  void add_mass(std::size_t link, double kilograms, const Vector2& gravity);
+  /// Adds a mass that lies evenly along a link.
+  void add_bar(std::size_t link, double kilograms, const Vector2& gravity);
+  /// Hangs a weight at the end point or the tip, N.
+  void add_payload(double weight, const Vector2& down);
+  void scale_masses(double factor);
+  void scale_length(std::size_t link, double factor);
+  /// Lets all links bend. \param flexibility  1/EI, 1/(N m^2)
+  void bend(double flexibility);
 
   friend bool operator==(const Rig&, const Rig&) = default;
 };

@@ -121,6 +121,10 @@ void RigModel<Bandwidth>::add_joints(const Vector<double>& angle, At& at) const 
     const double q = layout_.joint_angle(angle, i);
     Torque torque = law.elastic(q, step_->memory[i]);
     torque += history(i, q);
+    if (const Vector2& balance = step_->run.rig.balance[i]; !balance.isZero(0)) {
+      const double c = std::cos(q), s = std::sin(q);
+      torque += {-balance.dot(Vector2(c, s)), -balance.dot(Vector2(-s, c)), -balance.dot(Vector2(s, -c))};
+    }
     if (!loads_->moment.empty()) torque += {-loads_->moment[i], 0, -loads_->moment[i] * q};
     add_torque<derivatives>(i, torque.value, torque.slope, at);
     if constexpr (derivatives) at.energy += torque.energy;

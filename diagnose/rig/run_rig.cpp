@@ -102,9 +102,12 @@ RunRig::RunRig(Rig own, const std::vector<double>& commanded_rest)
 }
 
 void RunRig::turn_to(const std::vector<double>& commanded_rest) {
+  command = commanded_rest;
   rest_orientation = 0;
   for (std::size_t i = 0; i < joint.size(); ++i) {
-    joint[i].rest = commanded_rest[i] * std::exp(-rig.capstan * static_cast<double>(i)) + rig.rest_error[i];
+    const double led = (1 + rig.command_scale[i]) * commanded_rest[i];
+    joint[i].rest = led * std::exp(-rig.capstan * static_cast<double>(i)) + rig.rest_error[i] +
+                    rig.encoder[i].off(commanded_rest[i]);
     rest_orientation += joint[i].rest;
   }
 }

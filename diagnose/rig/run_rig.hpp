@@ -39,6 +39,7 @@ struct RunRig {
   Rig rig;
   std::vector<double> arm_time;  ///< see arm_times()
   std::vector<JointLaw> joint;
+  std::vector<double> command;  ///< rest angles that are commanded
   double rest_orientation;      ///< theta_n of the unloaded shape
   double largest_stiffness;     ///< of all joints
   std::vector<Vector2> beyond;  ///< weight of the links beyond link j

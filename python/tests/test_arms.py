@@ -107,7 +107,7 @@ def test_arrays_and_a_frame_give_the_report_of_the_folder(example):
     (report, came_from), (of_folder, _) = map(without_provenance, (example, plumbline.diagnose_folder(FOLDER)))
     assert report == of_folder
     assert came_from["command"] == "plumbline.diagnose_arm(…)"
-    assert ("joint_zero", 3) in {(effect["id"], effect["joint"]) for effect in report["cause"]["effects"]}
+    assert ("rest_angle", 3) in {(effect["id"], effect["joint"]) for effect in report["cause"]["effects"]}
     assert example.to_html().startswith("<!DOCTYPE html>") and str(example).startswith("six axes\n")
 
 
@@ -169,7 +169,7 @@ def test_settings_are_those_that_the_program_prints(urdf):
 
 
 def test_the_corrected_urdf_is_the_file_with_the_correction(of_file, urdf, poses, tmp_path):
-    assert [(effect["id"], effect["joint"]) for effect in of_file.report["cause"]["effects"]] == [("joint_zero", 3)]
+    assert [(effect["id"], effect["joint"]) for effect in of_file.report["cause"]["effects"]] == [("rest_angle", 3)]
     model = of_file.corrected_models("urdf")[0]
     assert "Edited: bench.urdf." in model.text and '<mass value="3" />' in model.text
     assert [(effect, carried) for effect, carried, _ in model.effects] == [("frame of joint elbow", True)]
@@ -198,7 +198,7 @@ run = [{{ id = "poses", samples = "poses.csv" }}]
 def test_an_arm_that_was_read_is_one_joint_by_joint(of_file, urdf, poses):
     found = plumbline.diagnose_arm(plumbline.read_arm(urdf), [{"id": "poses", "samples": dict(poses)}], noise={"place": NOISE},
                                    points=[{"name": "ball", "offset": BALL}], name="bench")
-    assert [(effect["id"], effect["joint"]) for effect in found.report["cause"]["effects"]] == [("joint_zero", 3)]
+    assert [(effect["id"], effect["joint"]) for effect in found.report["cause"]["effects"]] == [("rest_angle", 3)]
     assert found.report["joint_names"] == of_file.report["joint_names"]
     assert tomllib.loads(found.corrected_models()[0].text)["arm"]["joint"][2]["name"] == "elbow"
     with pytest.raises(plumbline.Error, match="found an arm that was not read from a file of this format, expected a file .toml"):

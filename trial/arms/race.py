@@ -59,7 +59,7 @@ def race(folder, later_folder, label, plumbline, row):
 
 
 # What a racer's parameter is called where it is the truth.
-MEANS = {"joint_zero": ["zero"], "joint_stiffness": ["stiffness", "gain"], "link_mass": ["mass"],
+MEANS = {"rest_angle": ["zero"], "joint_stiffness": ["stiffness", "gain"], "link_mass": ["mass"],
          "link_centre": ["centre x", "centre y", "centre z"]}
 
 

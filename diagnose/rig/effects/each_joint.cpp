@@ -1,6 +1,5 @@
 #include "diagnose/rig/effects/each_joint.hpp"
 
-#include <algorithm>
 #include <map>
 #include <mutex>
 
@@ -13,17 +12,15 @@ std::string_view kept(std::string text) {
   return all.try_emplace(text, text).first->second;
 }
 
-bool several_elastic(const Place& at) {
-  return std::count_if(at.scales.joint_stiffness.begin(), at.scales.joint_stiffness.end(),
-                       [](double k) { return k > 0; }) > 1;
+std::vector<std::string_view> along_axes(std::string_view stem, std::size_t axes) {
+  std::vector<std::string_view> names;
+  for (const char* axis : {"_x", "_y", "_z"})
+    if (names.size() < axes) names.push_back(kept(std::string(stem) + axis));
+  return names;
 }
 
-bool several_links(const Place& at) {
-  return at.scales.link_length.size() > 1;
-}
-
-bool has_links(const Place& at) {
-  return at.scales.links;
+std::vector<ParameterRange> each_axis(ParameterKind kind, std::string_view stem, const Place& at) {
+  return some_of(kind, along_axes(stem, at.scales.has_frames ? 3 : 2))(at);
 }
 
 std::string_view numbered(std::string_view stem, std::size_t index) {
@@ -33,8 +30,7 @@ std::string_view numbered(std::string_view stem, std::size_t index) {
 std::vector<ParameterRange> each(const Place& at, const EachOne& one) {
   std::vector<ParameterRange> all;
   for (std::size_t i = 0; i < at.scales.link_length.size(); ++i) {
-    const bool held = one.elastic && !(at.scales.joint_stiffness[i] > 0);
-    if (!held)
+    if (is_one(one.which, at.scales, i))
       all.push_back({numbered(one.stem, i), one.unit, Coordinate::plain, one.tolerance / 2, one.low, one.high,
                      one.tolerance});
   }

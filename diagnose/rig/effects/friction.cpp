@@ -3,7 +3,9 @@
 
 #include <cmath>
 
+#include "diagnose/rig/effects/places.hpp"
 #include "diagnose/rig/effects/rows.hpp"
+#include "diagnose/rig/sizes.hpp"
 
 namespace plumbline::diagnose {
 namespace {
@@ -21,8 +23,11 @@ InitialGuesses friction_guesses(double torque, const std::vector<std::vector<dou
 }
 
 ParameterRange slip_torque(const Place& at) {
-  const double torque = at.scales.stiffness * at.scales.deflection;
-  return one_way("tau_c", "N m", 0.05 * torque, 10 * torque);
+  return of(ParameterKind::friction_torque, "tau_c", at);
+}
+
+bool slips_both_ways(const Place& at) {
+  return turns_back(at) && any_elastic(at);
 }
 
 void add_dry(const Addition& to) {
@@ -44,17 +49,14 @@ std::vector<Effect> friction_effects() {
        .dissipates = true,
        .parameters =
            [](const Place& at) {
-             const double turn = at.scales.deflection;
-             return std::vector<ParameterRange>{
-                 slip_torque(at),
-                 {"d_s", "rad", Coordinate::logarithm, 1, std::log(1e-4 * turn), std::log(0.5 * turn)}};
+             return std::vector{slip_torque(at), of(ParameterKind::slip_way, "d_s", at)};
            },
        .add =
            [](const Addition& to) {
              add_dry(to);
              to.rig.presliding = to.value[1];
            },
-       .possible = [](const Place& at) { return at.scales.turns_back; },
+       .possible = slips_both_ways,
        .nested = {"joint_friction"},
        .form = "gives before it slips",
        .initial_guesses =
@@ -69,54 +71,46 @@ std::vector<Effect> friction_effects() {
        .dissipates = true,
        .parameters =
            [](const Place& at) {
-             const double rate = 1 / at.scales.deflection;
-             return std::vector{slip_torque(at), one_way("growth", "1/rad", 2 * rate, 100 * rate)};
+             return std::vector{slip_torque(at), of(ParameterKind::friction_growth, "growth", at)};
            },
        .add =
            [](const Addition& to) {
              add_dry(to);
              to.rig.friction_law.growth += to.value[0] * to.value[1];
            },
-       .possible = [](const Place& at) { return at.scales.turns_back; },
+       .possible = slips_both_ways,
        .nested = {"joint_friction"},
        .initial_guesses =
            [](const Place&, const Excitation& nominal) {
              return friction_guesses(nominal.torque, {{3 / std::max(nominal.largest, 1e-3)}});
            },
-       .perturbation = perturbation,
-       .at_least = 2,
-       .in_space = true},
+       .perturbation = perturbation},
       {.id = "direction_friction",
        .words = "dry friction in the joints that is larger in one direction than in the other",
        .dissipates = true,
        .parameters =
            [](const Place& at) {
-             return std::vector{slip_torque(at), both_ways("uneven", "ratio", 0.3, -1, 1)};
+             return std::vector{slip_torque(at), of(ParameterKind::friction_asymmetry, "uneven", at)};
            },
        .add =
            [](const Addition& to) {
              add_dry(to);
              to.rig.friction_law.uneven += to.value[1];
            },
-       .possible = [](const Place& at) { return at.scales.turns_back; },
+       .possible = slips_both_ways,
        .nested = {"joint_friction"},
        .initial_guesses =
            [](const Place&, const Excitation& nominal) {
              return friction_guesses(nominal.torque, {{0.5}, {-0.5}});
            },
-       .perturbation = perturbation,
-       .at_least = 2,
-       .in_space = true},
+       .perturbation = perturbation},
       {.id = "speed_friction",
        .words = "dry friction in the joints that changes with their speed",
        .dissipates = true,
        .parameters =
            [](const Place& at) {
-             const double speed = typical_speed(at.scales);
-             return std::vector<ParameterRange>{
-                 slip_torque(at),
-                 both_ways("fall", "ratio", 0.5, -0.95, 10),
-                 {"speed", "rad/s", Coordinate::logarithm, 1, std::log(0.01 * speed), std::log(100 * speed)}};
+             return std::vector{slip_torque(at), of(ParameterKind::friction_fall, "fall", at),
+                                of(ParameterKind::friction_speed, "speed", at)};
            },
        .add =
            [](const Addition& to) {
@@ -124,15 +118,14 @@ std::vector<Effect> friction_effects() {
              to.rig.friction_law.fall += to.value[1];
              to.rig.friction_law.speed = to.value[2];
            },
-       .possible = [](const Place& at) { return at.scales.clock && at.scales.turns_back; },
+       .possible = [](const Place& at) { return at.scales.clock && slips_both_ways(at); },
        .nested = {"joint_friction"},
        .initial_guesses =
            [](const Place& at, const Excitation& nominal) {
              const double slow = std::log(0.3 * typical_speed(at.scales)), fast = slow + std::log(10.0);
              return friction_guesses(nominal.torque, {{1, slow}, {1, fast}, {-0.5, slow}, {-0.5, fast}});
            },
-       .perturbation = perturbation,
-       .at_least = 2},
+       .perturbation = perturbation},
   };
 }
 

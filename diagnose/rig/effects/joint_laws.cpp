@@ -14,11 +14,6 @@
 namespace plumbline::diagnose {
 namespace {
 
-/// Torque of the mean spring at the typical deflection.
-double typical_torque(const Place& at) {
-  return at.scales.stiffness * at.scales.deflection;
-}
-
 // ------------------------------------------------------------------------------------------- hysteresis
 
 /// The search begins with three elements and continues to lower and higher orders.
@@ -28,13 +23,11 @@ constexpr double stiffest = 4;
 
 /// An element is fitted by the deflection at which it slips instead of its slip torque, so that its torque is
 /// proportional to r.
-/// \param deflection  typical deflection of a joint
-std::vector<ParameterRange> element_ranges(std::size_t elements, double deflection) {
+std::vector<ParameterRange> element_ranges(std::size_t elements, const Place& at) {
   std::vector<ParameterRange> all;
   for (std::size_t e = 0; e < elements; ++e) {
-    all.push_back(one_way(numbered("r", e), "ratio", 0.2, stiffest));
-    all.push_back(
-        {numbered("d", e), "rad", Coordinate::plain, 0.1 * deflection, 1e-3 * deflection, 4 * deflection, 0});
+    all.push_back(of(ParameterKind::spring_part, numbered("r", e), at).within(0, stiffest));
+    all.push_back(of(ParameterKind::slip_deflection, numbered("d", e), at));
   }
   return all;
 }
@@ -63,10 +56,6 @@ void add_elements(std::vector<Slider>& sliders, std::size_t elements, double sti
   }
 }
 
-bool turns_back(const Place& at) {
-  return at.scales.turns_back;
-}
-
 std::vector<const Effect*> hystereses(bool at_joint);
 
 /// Common part of both hysteresis rows.
@@ -75,12 +64,11 @@ Effect hysteresis_of(std::size_t elements, bool at_joint) {
   row.id = "hysteresis";
   row.at_joint = at_joint;
   row.dissipates = true;
-  row.parameters = [=](const Place& at) { return element_ranges(elements, at.scales.deflection); };
+  row.parameters = [=](const Place& at) { return element_ranges(elements, at); };
   for (std::size_t e = 0; e < elements; ++e) row.perturbation.growing.push_back(2 * e);
   row.perturbation.large_step = true;
   row.element_size = 2;
   row.orders = [=] { return hystereses(at_joint); };
-  row.in_space = true;
   return row;
 }
 
@@ -103,7 +91,7 @@ Effect hysteresis_at_one(std::size_t elements) {
   row.add = [=](const Addition& to) {
     add_elements(to.rig.sliders[to.joint], elements, to.scales.stiffness_at(to.joint), to.value);
   };
-  row.possible = [](const Place& at) { return turns_back(at) && at.scales.joint_stiffness[at.joint] > 0; };
+  row.possible = [](const Place& at) { return turns_back(at) && is_elastic(at); };
   row.initial_guesses = [=](const Place& at, const Excitation& nominal) {
     return element_guesses(elements, nominal.deflection[at.joint]);
   };
@@ -136,11 +124,12 @@ std::vector<Effect> springs() {
   return {
       {.id = "asymmetric_spring",
        .words = "springs that are stiffer in one direction",
-       .parameters = [](const Place&) { return std::vector{both_ways("e", "ratio", 0.05, -0.9, 0.9)}; },
+       .parameters = one_of(ParameterKind::asymmetry, "e"),
        .add =
            [](const Addition& to) {
              for (double& e : to.rig.asymmetry) e += to.value[0];
-           }},
+           },
+       .possible = any_elastic},
       {.id = "asymmetric_spring",
        .words = "springs that are stiffer in one direction, each by its own amount",
        .parameters =
@@ -158,11 +147,9 @@ std::vector<Effect> springs() {
   };
 }
 
-/// Largest relative loss of stiffness beyond the knee.
-constexpr double most_give = 0.95;
-
 std::vector<ParameterRange> piecewise_ranges(const Place& at) {
-  return {onset_angle("s", at.scales.turn), one_way("a", "ratio", 0.2, most_give)};
+  constexpr double most_give = 0.95;  // relative loss of stiffness beyond the knee
+  return {of(ParameterKind::onset_angle, "s", at), of(ParameterKind::spring_part, "a", at).within(0, most_give)};
 }
 
 InitialGuesses piecewise_guesses(double reach) {
@@ -185,8 +172,7 @@ std::vector<Effect> piecewise_springs() {
        .possible = several_elastic,
        .initial_guesses = [](const Place&,
                              const Excitation& nominal) { return piecewise_guesses(nominal.largest); },
-       .perturbation = {.growing = {1}},
-       .of_shape = true},
+       .perturbation = {.growing = {1}}},
       {.id = "piecewise_spring",
        .words = "a spring of joint {} that softens beyond an angle",
        .at_joint = true,
@@ -196,14 +182,24 @@ std::vector<Effect> piecewise_springs() {
              to.rig.knee[to.joint] = to.value[0];
              to.rig.give[to.joint] = to.value[1];
            },
-       .possible = [](const Place& at) { return at.scales.joint_stiffness[at.joint] > 0; },
+       .possible = is_elastic,
        .initial_guesses =
            [](const Place& at, const Excitation& nominal) {
              return piecewise_guesses(nominal.deflection[at.joint]);
            },
-       .perturbation = {.growing = {1}},
-       .of_shape = true},
+       .perturbation = {.growing = {1}}},
   };
+}
+
+/// That of stops at all joints, by the mean spring.
+ParameterRange stiffness_of_stops(const Place& at) {
+  const ParameterRange own = of(ParameterKind::stop_stiffness, "k_s", at);
+  const double ratio = at.scales.stiffness / at.scales.stiffness_at(at.joint);
+  return {own.name, own.unit, own.coordinate, ratio * own.scale, own.low, ratio * own.high};
+}
+
+bool several_that_turn(const Place& at) {
+  return std::count(at.scales.rigid.begin(), at.scales.rigid.end(), false) > 1;
 }
 
 /// Stops: a common angle, one angle a joint.
@@ -213,14 +209,14 @@ std::vector<Effect> stops() {
        .words = "stops at every joint",
        .parameters =
            [](const Place& at) {
-             return std::vector{onset_angle("s", at.scales.turn), stop_stiffness(at.scales.stiffness)};
+             return std::vector{of(ParameterKind::onset_angle, "s", at), stiffness_of_stops(at)};
            },
        .add =
            [](const Addition& to) {
              to.rig.stop.assign(to.rig.stop.size(), to.value[0]);
              to.rig.stop_stiffness.assign(to.rig.stop.size(), to.value[1]);
            },
-       .possible = several_links,
+       .possible = several_that_turn,
        .initial_guesses =
            [](const Place& at, const Excitation& nominal) {
              return stop_guesses([&](double share, double stiff) {
@@ -232,9 +228,9 @@ std::vector<Effect> stops() {
        .words = "stops at every joint, each at its own angle",
        .parameters =
            [](const Place& at) {
-             std::vector<ParameterRange> all{stop_stiffness(at.scales.stiffness)};
+             std::vector<ParameterRange> all{stiffness_of_stops(at)};
              for (std::size_t i = 0; i < at.scales.link_length.size(); ++i)
-               all.push_back(onset_angle(numbered("s", i), at.scales.turn));
+               all.push_back(of(ParameterKind::onset_angle, numbered("s", i), at));
              return all;
            },
        .add =
@@ -242,7 +238,7 @@ std::vector<Effect> stops() {
              to.rig.stop_stiffness.assign(to.rig.stop.size(), to.value[0]);
              for (std::size_t i = 0; i < to.rig.stop.size(); ++i) to.rig.stop[i] = to.value[1 + i];
            },
-       .possible = several_links,
+       .possible = several_that_turn,
        .nested = {"joint_stops", "joint_stop"},
        .form = "each its own",
        .initial_guesses =
@@ -266,12 +262,8 @@ std::vector<Effect> memory() {
        .dissipates = true,
        .parameters =
            [](const Place& at) {
-             const double low = std::log(0.1 * at.scales.sampling_interval),
-                          high = std::log(20 * at.scales.duration);
-             return std::vector<ParameterRange>{one_way("m_1", "ratio", 0.2, 20),
-                                                {"tau_1", "s", Coordinate::logarithm, 1, low, high},
-                                                one_way("m_2", "ratio", 0.2, 20),
-                                                {"tau_2", "s", Coordinate::logarithm, 1, low, high}};
+             return std::vector{of(ParameterKind::spring_part, "m_1", at), of(ParameterKind::decay_time, "tau_1", at),
+                                of(ParameterKind::spring_part, "m_2", at), of(ParameterKind::decay_time, "tau_2", at)};
            },
        .add =
            [](const Addition& to) {
@@ -281,7 +273,8 @@ std::vector<Effect> memory() {
        // Time constants are distinguishable where the sampling interval is much shorter than both.
        .possible =
            [](const Place& at) {
-             return at.scales.clock && at.scales.duration > 20 * at.scales.sampling_interval;
+             return any_elastic(at) && at.scales.clock &&
+                    at.scales.duration > 20 * at.scales.sampling_interval;
            },
        .nested = {"viscoelasticity"},
        .initial_guesses =
@@ -291,24 +284,21 @@ std::vector<Effect> memory() {
              return InitialGuesses{{{0.1, low, 0.1, high}}, 1};
            },
        .perturbation = {.growing = {0, 2}},
-       .at_least = 2,
        .element_size = 2},
       {.id = "plastic_set",
        .words = "rest angles that shift plastically beyond a torque",
        .dissipates = true,
        .parameters =
            [](const Place& at) {
-             const double torque = typical_torque(at);
-             return std::vector<ParameterRange>{
-                 {"tau_y", "N m", Coordinate::plain, 0.3 * torque, 1e-3 * torque, 10 * torque},
-                 one_way("slope", "ratio", 0.1, 20)};
+             return std::vector{of(ParameterKind::yield_torque, "tau_y", at),
+                                of(ParameterKind::plastic_part, "slope", at)};
            },
        .add =
            [](const Addition& to) {
              to.rig.yield = to.value[0];
              to.rig.flow = to.value[1];
            },
-       .possible = turns_back,
+       .possible = [](const Place& at) { return turns_back(at) && any_elastic(at); },
        .initial_guesses =
            [](const Place&, const Excitation& nominal) {
              InitialGuesses guesses{{}, 1};
@@ -319,9 +309,9 @@ std::vector<Effect> memory() {
        .perturbation = {.growing = {1}}},
       {.id = "tendon_friction",
        .words = "friction of the tendon that sets the rest angles",
-       .parameters = [](const Place&) { return std::vector{one_way("mu", "ratio", 0.02, 1)}; },
+       .parameters = one_of(ParameterKind::rope_friction, "mu"),
        .add = [](const Addition& to) { to.rig.capstan += to.value[0]; },
-       .possible = [](const Place& at) { return at.scales.bent_at_rest; }},
+       .possible = [](const Place& at) { return at.scales.bent_at_rest && is_planar(at); }},
   };
 }
 

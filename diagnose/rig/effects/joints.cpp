@@ -3,15 +3,17 @@
 
 #include <cmath>
 
-#include "diagnose/rig/effects/hardening.hpp"
 #include "diagnose/rig/effects/onsets.hpp"
+#include "diagnose/rig/effects/places.hpp"
 #include "diagnose/rig/effects/rows.hpp"
+#include "diagnose/rig/sizes.hpp"
 
 namespace plumbline::diagnose {
 namespace {
 
-bool is_elastic(const Place& at) {
-  return at.scales.joint_stiffness[at.joint] > 0;
+/// A joint whose contact acts: at a spring, or where the torque of its drive is read.
+bool rubs(const Place& at) {
+  return is_elastic(at) || (is_rigid(at) && torque_shows(at) && moves(at));
 }
 
 InitialGuesses shares_of(double reach, std::initializer_list<double> shares, std::size_t refined) {
@@ -27,74 +29,74 @@ std::vector<Effect> joint_effects() {
       {.id = "joint_stiffness",
        .words = "a wrong stiffness of joint {}",
        .at_joint = true,
-       .parameters = [](const Place&) { return std::vector{both_ways("a", "ratio", 0.2, -0.95, 9)}; },
+       .parameters = one_of(ParameterKind::stiffness_error, "a"),
        .add = [](const Addition& to) { to.rig.stiffness[to.joint] *= 1 + to.value[0]; },
-       .possible = is_elastic,
-       .in_space = true},
-      {.id = "rest_angle",
-       .words = "a wrong rest angle of joint {}",
-       .at_joint = true,
-       .parameters =
-           [](const Place& at) {
-             const double w = at.scales.turn;
-             return std::vector{both_ways("a", "rad", 0.05 * w, -0.6 * w, 0.6 * w)};
-           },
-       .add = [](const Addition& to) { to.rig.rest_error[to.joint] += to.value[0]; },
        .possible = is_elastic},
+      {.id = "rest_angle",
+       .words = "a wrong zero or rest angle of joint {}",
+       .at_joint = true,
+       .parameters = [](const Place& at) { return std::vector{of(offset_of_joint(at), "a", at)}; },
+       .add = [](const Addition& to) { to.rig.rest_error[to.joint] += to.value[0]; },
+       .possible = [](const Place& at) { return is_elastic(at) || is_rigid(at); }},
       {.id = "nonlinear_spring",
        .words = "joint springs that harden or soften with their deflection",
-       .parameters = [](const Place& at) { return std::vector{hardening(at.scales)}; },
+       .parameters = one_of(ParameterKind::hardening, "c"),
        .add =
            [](const Addition& to) {
              for (double& c : to.rig.hardening) c += to.value[0];
            },
-       .in_space = true},
+       .possible = any_elastic},
       {.id = "backlash",
        .words = "play in joint {}",
        .at_joint = true,
        .parameters =
-           [](const Place& at) {
-             return std::vector{one_way("b", "rad", 0.05 * at.scales.turn, 0.6 * at.scales.turn)};
-           },
+           [](const Place& at) { return std::vector{of(offset_of_joint(at), "b", at).positive()}; },
        .add = [](const Addition& to) { to.rig.backlash[to.joint] += to.value[0]; },
        .possible = is_elastic,
        .initial_guesses =
            [](const Place& at, const Excitation& nominal) {
              return shares_of(nominal.deflection[at.joint], {0.02, 0.1, 0.4}, 2);
            },
-       .perturbation = {.large_step = true},
-       .in_space = true},
+       .perturbation = {.large_step = true}},
       {.id = "joint_friction",
        .words = "dry friction in the joints",
        .dissipates = true,
-       .parameters =
-           [](const Place& at) {
-             const double slip = at.scales.stiffness * at.scales.deflection;
-             return std::vector{one_way("tau_c", "N m", 0.05 * slip, 10 * slip)};
-           },
+       .parameters = one_of(ParameterKind::friction_torque, "tau_c"),
        .add =
            [](const Addition& to) {
              for (double& torque : to.rig.friction) torque += to.value[0];
            },
        .initial_guesses =
-           [](const Place&, const Excitation& nominal) {
-             return shares_of(nominal.torque, {0.002, 0.01, 0.05}, 1);
+           [](const Place& at, const Excitation& nominal) {
+             return shares_of(nominal.torque > 0 ? nominal.torque : at.scales.torque, {0.002, 0.01, 0.05}, 1);
            },
-       .perturbation = {.large_step = true},
-       .in_space = true},
+       .perturbation = {.large_step = true}},
+      {.id = "joint_friction",
+       .words = "dry friction in joint {}",
+       .at_joint = true,
+       .dissipates = true,
+       .parameters = one_of(ParameterKind::friction_torque, "tau_c"),
+       .add = [](const Addition& to) { to.rig.friction[to.joint] += to.value[0]; },
+       .possible = [](const Place& at) { return several_joints(at) && rubs(at); },
+       .initial_guesses =
+           [](const Place& at, const Excitation&) {
+             // Geared axes can hold more by friction than their loads ask for.
+             return shares_of(at.scales.typical_load(at.joint), {0.02, 0.1, 0.4, 2.0, 10.0}, 1);
+           },
+       .perturbation = {.large_step = true}},
       {.id = "joint_stop",
        .words = "a stop at joint {}",
        .at_joint = true,
        .parameters =
            [](const Place& at) {
-             return std::vector{onset_angle("s", at.scales.turn),
-                                stop_stiffness(at.scales.stiffness_at(at.joint))};
+             return std::vector{of(ParameterKind::onset_angle, "s", at), of(ParameterKind::stop_stiffness, "k_s", at)};
            },
        .add =
            [](const Addition& to) {
              to.rig.stop[to.joint] = to.value[0];
              to.rig.stop_stiffness[to.joint] = to.value[1];
            },
+       .possible = [](const Place& at) { return !is_rigid(at); },
        .initial_guesses =
            [](const Place& at, const Excitation& nominal) {
              return stop_guesses([&](double share, double stiff) {
@@ -105,28 +107,21 @@ std::vector<Effect> joint_effects() {
        .perturbation = {.growing = {1}}},
       {.id = "joint_coupling",
        .words = "springs that couple neighbouring joints",
-       .parameters =
-           [](const Place& at) {
-             const double k = at.scales.stiffness;
-             return std::vector{both_ways("kappa", "N m/rad", 0.1 * k, -0.95 * k, 0.95 * k)};
-           },
+       .parameters = one_of(ParameterKind::coupling_stiffness, "kappa"),
        .add = [](const Addition& to) { to.rig.coupling += to.value[0]; },
-       .possible = [](const Place& at) { return at.scales.link_length.size() > 1; }},
+       .possible = [](const Place& at) { return several_joints(at) && is_planar(at); }},
       {.id = "viscoelasticity",
        .words = "springs that relax over time",
        .dissipates = true,
        .parameters =
            [](const Place& at) {
-             return std::vector<ParameterRange>{
-                 one_way("m", "ratio", 0.2, 20),
-                 {"tau", "s", Coordinate::logarithm, 1, std::log(0.1 * at.scales.sampling_interval),
-                  std::log(20 * at.scales.duration)}};
+             return std::vector{of(ParameterKind::spring_part, "m", at), of(ParameterKind::decay_time, "tau", at)};
            },
        .add =
            [](const Addition& to) {
              to.rig.arms.push_back({to.value[0], to.value[1]});
            },
-       .possible = [](const Place& at) { return at.scales.clock; },
+       .possible = [](const Place& at) { return at.scales.clock && any_elastic(at); },
        .initial_guesses =
            [](const Place& at, const Excitation&) {
              const double low = std::log(0.1 * at.scales.sampling_interval),
@@ -136,8 +131,7 @@ std::vector<Effect> joint_effects() {
                guesses.points.push_back({0.5 * 0.2, low + share * (high - low)});
              return guesses;
            },
-       .perturbation = {.growing = {0}},
-       .in_space = true},
+       .perturbation = {.growing = {0}}},
   };
 }
 

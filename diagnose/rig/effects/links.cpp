@@ -5,74 +5,79 @@
 #include "diagnose/rig/effects/rows.hpp"
 
 namespace plumbline::diagnose {
+namespace {
+
+Vector2 gravity_in_plane(const Addition& to) {
+  return to.scales.gravity * to.down;
+}
+
+bool weight_shows(const Place& at) {
+  return at.scales.weighs && loads_show(at);
+}
+
+}  // namespace
 
 std::vector<Effect> link_effects() {
   return {
       {.id = "link_length",
        .words = "a wrong length of link {}",
        .at_joint = true,
-       .parameters = [](const Place&) { return std::vector{both_ways("a", "ratio", 0.02, -0.3, 0.3)}; },
-       .add =
-           [](const Addition& to) {
-             to.rig.length[to.joint] *= 1 + to.value[0];
-             if (!to.rig.arm) return;
-             SerialArm<double>& arm = to.rig.arm->arm;
-             arm.links[to.joint + 1].frame.translation() *= 1 + to.value[0];
-           },
+       .parameters = one_of(ParameterKind::length_error, "a"),
+       .add = [](const Addition& to) { to.rig.scale_length(to.joint, 1 + to.value[0]); },
+       // The tool beyond the last axis has a place of its own.
        .possible =
            [](const Place& at) {
-             return at.scales.arm ? at.joint + 1 < at.scales.link_length.size() : has_links(at);
-           },
-       .in_space = true},
+             return has_links(at) && at.scales.reach[at.joint] > 0 &&
+                    (is_planar(at) || at.joint + 1 < at.scales.link_length.size());
+           }},
       {.id = "gravity",
        .words = "the weight of the links",
-       .parameters =
-           [](const Place& at) {
-             const double density =
-                 at.scales.stiffness / (standard_gravity * at.scales.length * at.scales.length);
-             return std::vector{one_way("rho", "kg/m", 0.1 * density, 20 * density)};
-           },
+       .parameters = one_of(ParameterKind::density, "rho"),
        .add =
            [](const Addition& to) {
              for (std::size_t j = 0; j < to.rig.length.size(); ++j)
-               to.rig.weight[j] += to.value[0] * to.rig.length[j] * standard_gravity * to.down;
+               to.rig.add_bar(j, to.value[0] * to.rig.length[j], standard_gravity * to.down);
            },
-       .possible = [](const Place& at) { return at.scales.weighs; }},
+       .possible = weight_shows},
+      {.id = "link_mass",
+       .words = "a wrong mass of link {}",
+       .at_joint = true,
+       .parameters =
+           [](const Place& at) {
+             const ParameterRange any = of(ParameterKind::mass, "m", at);
+             return std::vector{any.within(-at.scales.link_mass[at.joint], any.high)};
+           },
+       .add =
+           [](const Addition& to) { to.rig.add_mass(to.joint, to.value[0], gravity_in_plane(to)); },
+       .possible = [](const Place& at) { return weight_shows(at) && several_joints(at); }},
       {.id = "mass_scale",
        .words = "all masses wrong by one factor",
-       .parameters = [](const Place&) { return std::vector{both_ways("a", "ratio", 0.1, -0.95, 3)}; },
-       .add =
-           [](const Addition& to) {
-             for (Vector2& weight : to.rig.weight) weight *= 1 + to.value[0];
-             if (!to.rig.arm) return;
-             for (ArmLink<double>& link : to.rig.arm->arm.links) link.mass *= 1 + to.value[0];
-           },
-       .possible = [](const Place& at) { return at.scales.nominal_weight; },
-       .in_space = true},
+       .parameters = one_of(ParameterKind::mass_error, "a"),
+       .add = [](const Addition& to) { to.rig.scale_masses(1 + to.value[0]); },
+       .possible = [](const Place& at) { return at.scales.nominal_weight && loads_show(at); }},
       {.id = "axial_compliance",
        .words = "axial compliance of the links",
-       .parameters =
-           [](const Place& at) {
-             return std::vector{one_way("c_a", "1/N", 0.01 / at.scales.force, 0.3 / at.scales.force)};
-           },
+       .parameters = one_of(ParameterKind::strain_by_force, "c_a"),
        .add = [](const Addition& to) { to.rig.axial += to.value[0]; },
-       .possible = has_links},
+       .possible = is_planar},
       {.id = "link_bending",
        .words = "links that bend",
-       .parameters =
-           [](const Place& at) {
-             const double soft = 1 / (at.scales.stiffness * at.scales.link);
-             return std::vector<ParameterRange>{
-                 {"EI", "N m²", Coordinate::reciprocal, 0.1 * soft, 1e-6 * soft, 10 * soft}};
-           },
-       .add = [](const Addition& to) { to.rig.flexibility += 1 / to.value[0]; },
+       .parameters = one_of(ParameterKind::bending_rigidity, "EI"),
+       .add = [](const Addition& to) { to.rig.bend(1 / to.value[0]); },
        .possible = has_links,
        .initial_guesses =
            [](const Place& at, const Excitation&) {
-             const double scale = 0.1 * (1 / (at.scales.stiffness * at.scales.link));
+             const double scale = of(ParameterKind::bending_rigidity, "EI", at).scale;
              return InitialGuesses{{{0.01 * scale}, {0.3 * scale}, {2.0 * scale}}, 1};
            },
        .perturbation = {.large_step = true, .guesses = 1}},
+      {.id = "link_bending",
+       .words = "link {} that bends",
+       .at_joint = true,
+       .parameters = one_of(ParameterKind::bending_rigidity, "EI"),
+       .add = [](const Addition& to) { to.rig.arm->bend(to.joint, 1 / to.value[0]); },
+       .possible =
+           [](const Place& at) { return at.scales.has_frames && at.scales.reach[at.joint] > 0; }},
   };
 }
 

@@ -8,20 +8,6 @@
 
 namespace plumbline::diagnose {
 
-/// s, the deflection at the threshold.
-/// \param turn  unit of the ranges of angles, rad
-inline ParameterRange onset_angle(std::string_view name, double turn) {
-  return {name, "rad", Coordinate::plain, 0.3 * turn, 1e-5 * turn, 3 * turn};
-}
-
-/// k_s, the stiffness of a stop in parallel with a spring. A smoothly stiffening spring resembles a stop that
-/// is hardly stiffer than the spring: five of eight such joints on benches of another simulator.
-inline ParameterRange stop_stiffness(double spring) {
-  ParameterRange range = one_way("k_s", "N m/rad", 10 * spring, 300 * spring);
-  range.shape_below = 3 * spring;
-  return range;
-}
-
 /// Initial guesses with the threshold at fractions of the largest deflection, each with two sizes.
 /// \param at  gives the parameters for a fraction and a size
 template <class Parameters>

@@ -7,15 +7,17 @@
 namespace plumbline::diagnose {
 
 std::vector<Effect> joint_effects();
-std::vector<Effect> link_effects();
-std::vector<Effect> bench_effects();
-std::vector<Effect> load_cell_effects();
-std::vector<Effect> common_effects();
 std::vector<Effect> joint_law_effects();
 std::vector<Effect> friction_effects();
-std::vector<Effect> instrument_effects();
-std::vector<Effect> arm_joint_effects();
-std::vector<Effect> arm_tool_effects();
-std::vector<Effect> arm_bench_effects();
+std::vector<Effect> command_effects();
+std::vector<Effect> link_effects();
+std::vector<Effect> axis_effects();
+std::vector<Effect> bench_effects();
+std::vector<Effect> tool_effects();
+std::vector<Effect> load_sensor_effects();
+std::vector<Effect> place_sensor_effects();
+std::vector<Effect> joint_sensor_effects();
+std::vector<Effect> common_effects();
+std::vector<Effect> run_effects();
 
 }  // namespace plumbline::diagnose

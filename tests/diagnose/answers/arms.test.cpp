@@ -35,12 +35,12 @@ TEST_CASE("an arm without error has no gap") {
 }
 
 TEST_CASE("a wrong zero of the third joint of an arm is found, and how large it is") {
-  const Experiment experiment = as_given(arm_bench(industrial_arm(), 40), only("joint_zero", 3), {0.003}, 7);
+  const Experiment experiment = as_given(arm_bench(industrial_arm(), 40), only("rest_angle", 3), {0.003}, 7);
   const Study study(experiment);
   const Diagnosis diagnosis = diagnose::diagnose(study);
   REQUIRE(diagnosis.gap.present);
   REQUIRE(diagnosis.cause.named == 1);
-  CHECK(diagnosis.cause.ranking.front().cause.label() == "joint_zero(3)");
+  CHECK(diagnosis.cause.ranking.front().cause.label() == "rest_angle(3)");
   const Estimate& found = diagnosis.estimates[0][0];
   CHECK(found.low < 0.003);
   CHECK(found.high > 0.003);

@@ -78,9 +78,9 @@ TEST_CASE("an imposed angle: the torque is measured") {
   CHECK(run.measured()[0].unit() == "N m");
   CHECK(run.turning_points() == std::vector{false, false, true, false});
   const CharacteristicScales scales = characteristic_scales(experiment);
-  CHECK(scales.load_sensor);
-  CHECK(scales.reads_load);
-  CHECK_FALSE((scales.links || scales.weighs || scales.load_cell || scales.measures_force));
+  CHECK(scales.load_cell);
+  CHECK(scales.measures_force);
+  CHECK_FALSE((scales.links || scales.weighs || scales.end_is_loaded));
 }
 
 TEST_CASE("an imposed torque: the angle is measured, and weights have no sensor") {
@@ -90,10 +90,10 @@ TEST_CASE("an imposed torque: the angle is measured, and weights have no sensor"
   CHECK_FALSE(run.holds_end_point());
   CHECK(run.imposed() == std::vector<Channel>{Channel(Channel::Name::torque)});
   CHECK(run.measured() == std::vector<Channel>{Channel(Channel::Name::angle)});
-  CHECK(characteristic_scales(experiment).load_sensor);
-  CHECK_FALSE(characteristic_scales(experiment).reads_load);
+  CHECK(characteristic_scales(experiment).load_cell);
+  CHECK_FALSE(characteristic_scales(experiment).measures_force);
   const std::string hung = joint_with(loaded, "control", "loaded_by = \"weights\"\ncontrol");
-  CHECK_FALSE(characteristic_scales(joint_from(hung)).load_sensor);
+  CHECK_FALSE(characteristic_scales(joint_from(hung)).load_cell);
 }
 
 TEST_CASE("a joint that slides: force against stroke") {

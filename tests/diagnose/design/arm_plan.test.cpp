@@ -67,7 +67,7 @@ TEST_CASE(
     "a plan of an arm names the errors of geometry that no pose tells apart, and poses that tell the rest") {
   const Plan found = plan(planned());
   // The first axis is upright: to shift it, or to turn about it, is to move the frame of the tracker.
-  CHECK(are_alike(found, {"axis_shift", 1}, {"tracker_offset"}));
+  CHECK(are_alike(found, {"axis_shift", 1}, {"position_offset"}));
   CHECK(std::find(found.impossible.begin(), found.impossible.end(), EffectAt("angle_bias", 1)) !=
         found.impossible.end());
   CHECK(found.separated > 0);

@@ -157,8 +157,14 @@ TEST_CASE("play of a joint lets it hang by its half, and servos that hold the we
 
 TEST_CASE("encoders are off by zero, scale and ripple without showing it") {
   const Study study(commanded_bar(0, {0.3, -0.8}));
-  const Prediction off = predict(study, {{{"joint_zero", 1}, {"joint_scale", 1}, {"encoder_ripple", 1}}},
-                                 {0.02, 0.01, 0.003, -0.004});
+  const auto of_encoder = [](std::string_view id) {
+    return EffectAt(*std::find_if(catalogue().begin(), catalogue().end(), [&](const Effect& row) {
+      return row.id == id && row.form == "of the encoder";
+    }), 1);
+  };
+  const Prediction off =
+      predict(study, {{of_encoder("rest_angle"), of_encoder("joint_scale"), {"encoder_ripple", 1}}},
+              {0.02, 0.01, 0.003, -0.004});
   for (const Eigen::Index r : {0, 1}) {
     const double q = r == 0 ? 0.3 : -0.8,
                  stands = 1.01 * q + 0.02 + 0.003 * std::cos(q) - 0.004 * std::sin(q);
@@ -220,7 +226,7 @@ TEST_CASE("a tool yields to its weight and load, and a loose one drops to whiche
     CHECK(drop(loose, {b}, r) == doctest::Approx(std::copysign(std::sin(b), moment[r])).epsilon(1e-12));
   }
   const Effect* hinged = nullptr;
-  for (const Effect& row : arm_catalogue())
+  for (const Effect& row : catalogue())
     if (row.form == "about one axis") hinged = &row;
   REQUIRE(hinged != nullptr);
   const Candidate about_one_axis{{EffectAt(*hinged)}};

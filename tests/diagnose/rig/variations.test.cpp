@@ -55,7 +55,7 @@ TEST_CASE("a zero variation has no derivative; several keep their order") {
   const Rig nominal = Study(experiment).nominal_rig();
   Rig stiffer = nominal, biased = nominal;
   stiffer.stiffness[0] += 1e-6;
-  biased.force_bias = {1e-6, 0};
+  biased.force_bias = {1e-6, 0, 0};
   const Prediction all = simulate(experiment, nominal, {{stiffer, 1e-6}, {nominal, 1e-6}, {biased, 1e-6}});
   REQUIRE(all.sensitivity.size() == 3);
   CHECK(all.sensitivity[1][0].abs().maxCoeff() == 0);

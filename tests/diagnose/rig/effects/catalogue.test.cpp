@@ -3,6 +3,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <set>
 
 #include "diagnose/inference/start.hpp"
 #include "diagnose/priors.hpp"
@@ -19,8 +20,13 @@ namespace {
 CharacteristicScales sizes_by_hand() {
   CharacteristicScales size;
   size.joint_stiffness = {0, 3, 5};
-  size.link_length = {0.2, 0.5, 0.6};
+  size.link_length = size.reach = {0.2, 0.5, 0.6};
+  size.link_mass = {0, 0, 0};
+  size.rigid = size.slides = std::vector<bool>(3, false);
+  size.moves = std::vector<bool>(3, true);
   size.stiffness = 4;
+  size.mass = 2;
+  size.torque = 1.2;
   size.length = 1.3;
   size.link = 1.3 / 3;
   size.force = 7;
@@ -70,7 +76,7 @@ void check_guesses(const char* id, std::size_t joint, const std::vector<std::vec
 }  // namespace
 
 TEST_CASE("a sizeable amount of each effect, by hand") {
-  // k = 4, L = 1.3, l = 1.3 / 3, f = 7, phi = 0.3; the slip torque k phi is 1.2, L^2 / k is 0.4225
+  // k = 4, L = 1.3, l = 1.3 / 3, f = 7, phi = 0.3, tau = 1.2, m = 2; L^2 / k is 0.4225
   const double c = 0.01 * 1.3 * 1.3 / 4, density = 4 / (9.81 * 1.3 * 1.3);
   const std::map<std::string, std::vector<double>> of_chain{
       {"nonlinear_spring", {0.05 / 0.09}},
@@ -93,26 +99,30 @@ TEST_CASE("a sizeable amount of each effect, by hand") {
       {"moment_arm", {0.05}},
       {"capstan_friction", {0.03}},
       {"camera_scale", {0.01}},
-      {"camera_turn", {0.02}},
+      {"camera_turn", {0.01}},
+      {"command_delay", {0.75}},
+      {"gravity_compensation", {0.2}},
+      {"mount_tilt", {0.01, 0.01}},
+      {"thermal_expansion", {1.2e-5}},
+      {"tool_compliance", {1e-3 / 1.2}},
+      {"tool_play", {0.003}},
+      {"tool_offset", {0.0065, 0.0065, 0.0065}},
+      {"tool_turn", {0.01, 0.01, 0.01}},
       {"force_bias", {0.35, 0.35}},
       {"force_gain", {0.05}},
       {"sensor_drift", {0.35 / 90, 0.35 / 90}},
-      {"load_zero", {0.05 * 7 * 1.3}},
-      {"load_gain", {0.05}},
-      {"load_drift", {0.05 * 7 * 1.3 / 90}},
-      {"load_lag", {0.75}},
       {"second_zero", {0.35, 0.35}},
       {"second_gain", {0.05}},
-      {"stiffness_scale", {0.1}},
-      {"length_scale", {0.01}},
-      {"rest_offset", {0.03}},
+      {"stiffness_scale", {0.2}},
+      {"length_scale", {0.02}},
+      {"rest_offset", {0.05}},
       {"asymmetric_spring", {0.05}},
       {"piecewise_spring", {0.3, 0.2}},
       {"joint_stops", {0.3, 40}},
       {"hysteresis", {0.2, 0.03, 0.2, 0.03, 0.2, 0.03}},
       {"relaxation_spectrum", {0.2, 1, 0.2, 1}},
       {"plastic_set", {0.36, 0.1}},
-      {"tendon_friction", {0.02}},
+      {"tendon_friction", {0.03}},
       {"load_friction", {0.06, 2 / 0.3}},
       {"direction_friction", {0.06, 0.3}},
       {"speed_friction", {0.06, 0.5, 1}},
@@ -127,6 +137,20 @@ TEST_CASE("a sizeable amount of each effect, by hand") {
       {"backlash", {0.05}},
       {"joint_stop", {0.3, 50}},
       {"link_length", {0.02}},
+      {"joint_friction", {0.06}},
+      {"joint_scale", {0.01}},
+      {"encoder_ripple", {0.003, 0.003}},
+      {"joint_compliance", {1e-3 / 1.2}},
+      {"joint_balance", {0.12, 0.12}},
+      {"link_mass", {0.2}},
+      {"link_bending", {0.3 / (4 * 1.3)}},
+      {"axis_tilt", {0.003, 0.003}},
+      {"axis_shift", {0.0026, 0.0026, 0.0026}},
+      {"link_centre", {0.026, 0.026, 0.026}},
+      {"angle_bias", {0.05}},
+      {"angle_scale", {0.01}},
+      {"torque_bias", {0.06}},
+      {"torque_scale", {0.05}},
       {"hysteresis", {0.2, 0.03, 0.2, 0.03, 0.2, 0.03}},
       {"piecewise_spring", {0.3, 0.2}}};
   std::size_t known = 0;
@@ -150,6 +174,8 @@ TEST_CASE("a sizeable amount of each effect, by hand") {
       check_values({ranges[0].scale, ranges[1].scale}, {0.06, 1});
       continue;
     }
+    static const std::set<std::string_view> as_the_first{"tool_play", "rest_angle", "joint_scale", "base_compliance"};
+    if (!is_named && as_the_first.contains(row.id)) continue;  // forms of the kinds of sizes.test
     if (place == all.end() || !is_named) {  // of values within a tolerance, of which half is sizeable
       const CharacteristicScales size = sizes_by_hand();
       for (const ParameterRange& one : row.parameters({size, 0})) {
@@ -255,42 +281,45 @@ TEST_CASE("every effect: perturbed parameters, step, dissipation and excitation"
   struct Kind {
     std::vector<std::size_t> growing;
     bool large_step, dissipates;
-    std::size_t guesses, at_least;
+    std::size_t guesses;
     bool tolerance;
   };
-  const Kind plain{{}, false, false, 100, 1, false};
-  const std::map<std::string, Kind> others{{"backlash", {{}, true, false, 100, 1, false}},
-                                           {"joint_friction", {{}, true, true, 100, 1, false}},
-                                           {"joint_stop", {{1}, false, false, 100, 1, false}},
-                                           {"joint_stops", {{1}, false, false, 100, 1, false}},
-                                           {"piecewise_spring", {{1}, false, false, 100, 1, false}},
-                                           {"viscoelasticity", {{0}, false, true, 100, 1, false}},
-                                           {"link_bending", {{}, true, false, 1, 1, false}},
-                                           {"guide_friction", {{}, false, true, 100, 1, false}},
-                                           {"pulley_friction", {{}, false, true, 100, 1, false}},
-                                           {"capstan_friction", {{}, false, true, 100, 1, false}},
-                                           {"stiffness_spread", {{}, false, false, 100, 1, true}},
-                                           {"length_spread", {{}, false, false, 100, 1, true}},
-                                           {"rest_spread", {{}, false, false, 100, 1, true}},
-                                           {"play", {{}, false, false, 100, 2, false}},
-                                           {"friction_spread", {{}, true, true, 100, 1, false}},
-                                           {"hysteresis", {{0, 2, 4}, true, true, 100, 1, false}},
-                                           {"relaxation_spectrum", {{0, 2}, false, true, 100, 2, false}},
-                                           {"plastic_set", {{1}, false, true, 100, 1, false}},
-                                           {"load_friction", {{0}, true, true, 100, 2, false}},
-                                           {"direction_friction", {{0}, true, true, 100, 2, false}},
-                                           {"speed_friction", {{0}, true, true, 100, 2, false}},
-                                           {"saturation", {{}, true, false, 100, 1, false}},
-                                           {"load_lag", {{}, false, true, 100, 1, false}},
-                                           {"sensor_lag", {{}, false, true, 100, 1, false}}};
-  const Kind own_stops{{0}, false, false, 100, 1, false};  // their stiffness comes first
-  const Kind giving{{0}, true, true, 100, 1, false};
+  const Kind plain{{}, false, false, 100, false};
+  const std::map<std::string, Kind> others{{"backlash", {{}, true, false, 100, false}},
+                                           {"joint_friction", {{}, true, true, 100, false}},
+                                           {"joint_stop", {{1}, false, false, 100, false}},
+                                           {"joint_stops", {{1}, false, false, 100, false}},
+                                           {"piecewise_spring", {{1}, false, false, 100, false}},
+                                           {"viscoelasticity", {{0}, false, true, 100, false}},
+                                           {"link_bending", {{}, true, false, 1, false}},
+                                           {"guide_friction", {{}, false, true, 100, false}},
+                                           {"pulley_friction", {{}, false, true, 100, false}},
+                                           {"capstan_friction", {{}, false, true, 100, false}},
+                                           {"stiffness_spread", {{}, false, false, 100, true}},
+                                           {"length_spread", {{}, false, false, 100, true}},
+                                           {"rest_spread", {{}, false, false, 100, true}},
+                                           {"play", {{}, false, false, 100, false}},
+                                           {"friction_spread", {{}, true, true, 100, false}},
+                                           {"hysteresis", {{0, 2, 4}, true, true, 100, false}},
+                                           {"relaxation_spectrum", {{0, 2}, false, true, 100, false}},
+                                           {"plastic_set", {{1}, false, true, 100, false}},
+                                           {"load_friction", {{0}, true, true, 100, false}},
+                                           {"direction_friction", {{0}, true, true, 100, false}},
+                                           {"speed_friction", {{0}, true, true, 100, false}},
+                                           {"saturation", {{}, true, false, 100, false}},
+                                           {"command_delay", {{}, false, true, 100, false}},
+                                           {"sensor_lag", {{}, false, true, 100, false}}};
+  const Kind own_stops{{0}, false, false, 100, false};  // their stiffness comes first
+  const Kind giving{{0}, true, true, 100, false}, hinged{{}, true, false, 100, false};
   for (const Effect& row : catalogue()) {
     CAPTURE(row.id);
     const auto place = others.find(row.id);
     const bool is_own_stops = row.id == "joint_stops" && &row != &effect("joint_stops");
-    const bool gives = row.id == "joint_friction" && &row != &effect("joint_friction");
+    const bool gives = row.id == "joint_friction" && !row.at_joint && &row != &effect("joint_friction");
+    const bool of_one_link = row.id == "link_bending" && row.at_joint;
     const Kind& expected = is_own_stops            ? own_stops
+                           : of_one_link           ? plain
+                           : row.form == "about one axis" ? hinged
                            : gives                 ? giving
                            : place == others.end() ? plain
                                                    : place->second;
@@ -298,7 +327,6 @@ TEST_CASE("every effect: perturbed parameters, step, dissipation and excitation"
     CHECK(row.perturbation.large_step == expected.large_step);
     CHECK(row.perturbation.guesses == expected.guesses);
     CHECK(row.dissipates == expected.dissipates);
-    CHECK(row.at_least == expected.at_least);
     CHECK(row.is_tolerance == expected.tolerance);
   }
 }
@@ -311,7 +339,9 @@ TEST_CASE("ranges and initial guesses scale with the units of force, length and 
   for (double& k : other.joint_stiffness) k *= N * m;
   for (double& length : other.link_length) length *= m;
   other.stiffness *= N * m, other.length *= m, other.link *= m;
-  other.force *= N, other.largest_reading *= N;
+  for (double& length : other.reach) length *= m;
+  other.force *= N, other.largest_reading *= N, other.torque *= N * m;
+  other.mass *= N;  // gravity is the same
   other.duration *= s, other.sampling_interval *= s;
   const Excitation nominal = excitation_by_hand();
   Excitation scaled = nominal;
@@ -321,7 +351,8 @@ TEST_CASE("ranges and initial guesses scale with the units of force, length and 
                                               {"N m/rad", N * m},   {"m", m},         {"s", s},
                                               {"m/N", m / N},       {"1/N", 1 / N},   {"N/s", N / s},
                                               {"N m/s", N * m / s}, {"rad/s", 1 / s}, {"N m²", N * m * m},
-                                              {"kg/m", N / m}};
+                                              {"kg/m", N / m},      {"kg", N},        {"1/K", 1},
+                                              {"rad/(N m)", 1 / (N * m)}};
   for (const Effect& row : catalogue()) {
     const std::size_t joint = row.at_joint ? 1 : 0;
     const auto before = row.parameters({size, joint}), after = row.parameters({other, joint});
@@ -369,17 +400,20 @@ TEST_CASE("an effect is possible where the bench meets each of its conditions") 
   CharacteristicScales all = sizes_by_hand();
   all.measures_force = all.load_cell = all.pivot = all.clock = all.measures_both_forces = true;
   all.turns_back = all.bent_at_rest = all.nominal_weight = all.imposes_force = true;
-  all.load_sensor = all.reads_load = all.turned_by_loads = all.long_tendon = true;
+  all.turned_by_loads = all.long_tendon = all.end_is_loaded = all.drives = all.warms = true;
+  all.tool_is_measured = true;
   all.measured.fill(true);
   all.at_largest = 4;
   const auto one_spring = [](CharacteristicScales& s) { s.joint_stiffness = {0, 3, 0}; };
-  const auto one_link = [](CharacteristicScales& s) { s.joint_stiffness = {3}, s.link_length = {0.2}; };
+  const auto one_link = [](CharacteristicScales& s) {
+    s.joint_stiffness = {3}, s.link_length = {0.2}, s.rigid = {false};
+  };
   const auto no_force = [](CharacteristicScales& s) { s.measures_force = false; };
   const auto no_place = [](CharacteristicScales& s) { s.measured.fill(false); };
   const auto no_cell = [](CharacteristicScales& s) { s.load_cell = false; };
   const auto no_clock = [](CharacteristicScales& s) { s.clock = false; };
   const auto no_links = [](CharacteristicScales& s) { s.links = false; };
-  const auto no_load = [](CharacteristicScales& s) { s.load_sensor = s.reads_load = false; };
+  const auto no_end = [](CharacteristicScales& s) { s.end_is_loaded = false; };
   const auto no_turn = [](CharacteristicScales& s) { s.turns_back = false; };
   const auto weightless = [](CharacteristicScales& s) { s.weighs = false; };
   const auto no_masses = [](CharacteristicScales& s) { s.nominal_weight = false; };
@@ -413,7 +447,6 @@ TEST_CASE("an effect is possible where the bench meets each of its conditions") 
       {"tip_payload", weightless},
       {"tip_stiffness", [](CharacteristicScales& s) { s.pivot = false; }},
       {"guide_friction", no_force},
-      {"position_offset", no_force},
       {"train_compliance", no_force},
       {"pulley_friction", [](CharacteristicScales& s) { s.imposes_force = false; }},
       {"pulley_friction", no_turn},
@@ -427,15 +460,11 @@ TEST_CASE("an effect is possible where the bench meets each of its conditions") 
       {"sensor_drift", no_clock},
       {"axial_compliance", no_links},
       {"link_bending", no_links},
-      {"base_compliance", no_links},
-      {"rail_misalignment", no_links},
-      {"eccentric_load", no_links},
-      {"load_zero", no_load},
-      {"load_gain", no_load},
-      {"load_drift", no_load},
-      {"load_drift", no_clock},
-      {"load_lag", no_load},
-      {"load_lag", no_clock},
+      {"base_compliance", no_end},
+      {"rail_misalignment", no_end},
+      {"eccentric_load", no_end},
+      {"command_delay", no_clock},
+      {"command_delay", [](CharacteristicScales& s) { s.drives = false; }},
       {"second_zero", no_place},
       {"second_gain", no_place},
       {"cross_talk", [](CharacteristicScales& s) { s.measures_both_forces = false; }},
@@ -448,9 +477,14 @@ TEST_CASE("an effect is possible where the bench meets each of its conditions") 
       {"run_tare", one_run},
       {"run_tare", no_force},
       {"run_tare", [](CharacteristicScales& s) { s.runs = 16; }}};  // 32 values
+  CharacteristicScales in_space = all;
+  in_space.has_frames = in_space.reads_encoders = true;
+  in_space.rigid = {true, false, false};
+  in_space.link_mass = {1, 1, 1};
   for (const Effect& row : catalogue()) {
     CAPTURE(row.id);
-    CHECK(row.possible({all, row.at_joint ? std::size_t{1} : 0}));
+    CHECK((row.possible({all, row.at_joint ? std::size_t{1} : 0}) || row.possible({in_space, 0}) ||
+           row.possible({in_space, 1})));
     for (const Asked& one : asked) {
       if (row.at_joint || row.id != one.id) continue;
       CharacteristicScales less = all;
@@ -502,6 +536,7 @@ TEST_CASE("effects of one kind add up; the contribution of each to the rig, by h
   check_values(with("backlash", 3, {0.25}).backlash, {1, 2, 3.5});
   check_values(with("play", 0, {0.25, 0.5}).backlash, {1, 2.5, 4});
   check_values(with("joint_friction", 0, {0.25}).friction, {1.5, 2.5, 3.5});
+  check_values(with("joint_friction", 2, {0.25}).friction, {1, 2.5, 3});
   check_values(with("friction_spread", 0, {0.25, 0.5}).friction, {1, 2.5, 4});
   const Rig giving = add(other_form("joint_friction"), 0, {0.25, 0.01});
   check_values(giving.friction, {1.5, 2.5, 3.5});
@@ -550,6 +585,7 @@ TEST_CASE("effects of one kind add up; the contribution of each to the rig, by h
   const Rig heavy = with("gravity", 0, {0.25});
   CHECK((heavy.weight[1] - Vector2(0.1 + 0.5 * 0.5 * 9.81 * 0.6, 0.2 - 0.5 * 0.5 * 9.81 * 0.8)).norm() <
         1e-14);
+  CHECK((with("link_mass", 2, {0.5}).weight[1] - Vector2(0.1 + 9.81 * 0.6, 0.2 - 9.81 * 0.8)).norm() < 1e-14);
   CHECK((with("mass_scale", 0, {0.5}).weight[1] - 2.25 * Vector2(0.1, 0.2)).norm() < 1e-14);
   CHECK((with("tip_payload", 0, {0.25}).payload - Vector2(0.3, -0.4)).norm() < 1e-15);
   CHECK(with("base_compliance", 0, {1, 2}).base_compliance == Vector2(2, 4));
@@ -562,13 +598,13 @@ TEST_CASE("effects of one kind add up; the contribution of each to the rig, by h
   CHECK(with("moment_arm", 0, {1}).moment_arm_error == 2);
   CHECK(with("capstan_friction", 0, {1}).capstan_friction == 2);
   CHECK(with("camera_scale", 0, {1}).place_scale == 2);
-  CHECK(with("camera_turn", 0, {1}).place_turn == 2);
-  CHECK(with("position_offset", 0, {1, 2}).position_offset == Vector2(2, 4));
-  CHECK(with("force_bias", 0, {1, 2}).force_bias == Vector2(2, 4));
+  CHECK(with("camera_turn", 0, {1}).place_turn == Vector3<double>(0, 0, 2));
+  CHECK(with("position_offset", 0, {1, 2}).position_offset == Vector3<double>(2, 4, 0));
+  CHECK(with("force_bias", 0, {1, 2}).force_bias == Vector3<double>(2, 4, 0));
   CHECK(with("force_gain", 0, {1}).force_gain == 2);
   CHECK(with("second_zero", 0, {1, 2}).second_zero == Vector2(2, 4));
   CHECK(with("second_gain", 0, {1}).second_gain == 2);
-  CHECK(with("sensor_drift", 0, {1, 2}).force_drift == Vector2(2, 4));
+  CHECK(with("sensor_drift", 0, {1, 2}).force_drift == Vector3<double>(2, 4, 0));
   CHECK(with("cross_talk", 0, {1, 2}).cross_talk == Vector2(2, 4));
   CHECK(with("cell_curvature", 0, {1, 2}).cell_curvature == Vector2(2, 4));
   CHECK(with("saturation", 0, {8}).force_limit == 8);

@@ -1,0 +1,90 @@
+/// \file
+/// Effects of the servos that lead the joints to their commands, and of their encoders.
+
+#include "diagnose/rig/effects/each_joint.hpp"
+#include "diagnose/rig/effects/rows.hpp"
+
+namespace plumbline::diagnose {
+namespace {
+
+/// An encoder by which the servo leads the joint does not show its own errors; places do.
+bool encoder_hides(const Place& at) {
+  return at.scales.reads_encoders && angles_are_read_beside(at);
+}
+
+bool hides_and_moves(const Place& at) {
+  return encoder_hides(at) && moves(at);
+}
+
+bool turns_and_moves(const Place& at) {
+  return !at.scales.slides[at.joint] && moves(at);
+}
+
+}  // namespace
+
+std::vector<Effect> command_effects() {
+  return {
+      {.id = "rest_angle",
+       .words = "a wrong zero of the encoder of joint {}",
+       .at_joint = true,
+       .parameters = [](const Place& at) { return std::vector{of(offset_of_joint(at), "zero", at)}; },
+       .add = [](const Addition& to) { to.rig.encoder[to.joint].zero += to.value[0]; },
+       .possible = encoder_hides,
+       .form = "of the encoder"},
+      {.id = "joint_scale",
+       .words = "a wrong gear ratio of joint {}, or a wrong scale of its command",
+       .at_joint = true,
+       .parameters = one_of(ParameterKind::place_gain, "g"),
+       .add = [](const Addition& to) { to.rig.command_scale[to.joint] += to.value[0]; },
+       .possible = moves},
+      {.id = "joint_scale",
+       .words = "a wrong scale of the encoder of joint {}",
+       .at_joint = true,
+       .parameters = one_of(ParameterKind::place_gain, "scale"),
+       .add = [](const Addition& to) { to.rig.encoder[to.joint].scale += to.value[0]; },
+       .possible = hides_and_moves,
+       .form = "of the encoder"},
+      {.id = "encoder_ripple",
+       .words = "an encoder of joint {} that is off its axis",
+       .at_joint = true,
+       .parameters = some_of(ParameterKind::axis_angle, {"c", "s"}),
+       .add =
+           [](const Addition& to) {
+             to.rig.encoder[to.joint].ripple += Vector2(to.value[0], to.value[1]);
+           },
+       .possible = turns_and_moves},
+      {.id = "command_delay",
+       .words = "a drive that follows its command with a delay",
+       .dissipates = true,
+       .parameters = one_of(ParameterKind::lag, "delay"),
+       .add = [](const Addition& to) { to.rig.command_delay += to.value[0]; },
+       .possible = [](const Place& at) { return at.scales.clock && at.scales.drives; },
+       .initial_guesses =
+           [](const Place& at, const Excitation&) {
+             const ParameterRange own = of(ParameterKind::lag, "delay", at);
+             return InitialGuesses{{{0.0}, {0.3 * own.scale}, {own.scale}, {3 * own.scale}}, 2};
+           }},
+      {.id = "joint_compliance",
+       .words = "joint {} that yields, which the model has rigid",
+       .at_joint = true,
+       .parameters = one_of(ParameterKind::turning_compliance, "c"),
+       .add = [](const Addition& to) { to.rig.arm->arm.links[to.joint].joint_compliance += to.value[0]; },
+       .possible = is_rigid},
+      {.id = "joint_balance",
+       .words = "a counterweight or spring that loads joint {}",
+       .at_joint = true,
+       .parameters = some_of(ParameterKind::balance_torque, {"c", "s"}),
+       .add = [](const Addition& to) { to.rig.balance[to.joint] += Vector2(to.value[0], to.value[1]); },
+       .possible = [](const Place& at) { return turns_and_moves(at) && torque_shows(at); }},
+      {.id = "gravity_compensation",
+       .words = "servos that hold a share of the weight without yielding",
+       .parameters = one_of(ParameterKind::held_share, "a"),
+       .add = [](const Addition& to) { to.rig.arm->compensated += to.value[0]; },
+       .possible =
+           [](const Place& at) {
+             return at.scales.has_frames && at.scales.nominal_weight && loads_show(at);
+           }},
+  };
+}
+
+}  // namespace plumbline::diagnose

@@ -1,0 +1,95 @@
+#pragma once
+/// \file
+/// Conditions of rows: what a device must have, or a bench read, for a reading to depend on an effect.
+
+#include <algorithm>
+
+#include "diagnose/rig/effect.hpp"
+#include "diagnose/rig/sizes.hpp"
+
+namespace plumbline::diagnose {
+
+/// Whether a spring, or what stands for one, lets the joint yield.
+inline bool is_elastic(const Place& at) {
+  return at.scales.joint_stiffness[at.joint] > 0;
+}
+
+inline bool any_elastic(const Place& at) {
+  return std::any_of(at.scales.joint_stiffness.begin(), at.scales.joint_stiffness.end(),
+                     [](double k) { return k > 0; });
+}
+
+inline bool is_rigid(const Place& at) {
+  return at.scales.rigid[at.joint];
+}
+
+/// Whether a torque at the joint shows: it yields or turns freely, or its drive's torque is read.
+inline bool torque_shows(const Place& at) {
+  return !is_rigid(at) || at.scales.measures(Channel::Name::drive);
+}
+
+/// Whether any load shows.
+inline bool loads_show(const Place& at) {
+  return at.scales.measures(Channel::Name::drive) ||
+         std::find(at.scales.rigid.begin(), at.scales.rigid.end(), false) != at.scales.rigid.end();
+}
+
+/// At least two elastic joints, joints, links: with one, the row would repeat that of a single joint or link.
+inline bool several_elastic(const Place& at) {
+  return std::count_if(at.scales.joint_stiffness.begin(), at.scales.joint_stiffness.end(),
+                       [](double k) { return k > 0; }) > 1;
+}
+inline bool several_joints(const Place& at) {
+  return at.scales.joint_stiffness.size() > 1;
+}
+
+/// At least one link: a joint alone has none.
+inline bool has_links(const Place& at) {
+  return at.scales.links;
+}
+
+/// Whether links stay in one plane, in which their lengths and rest angles are all of their geometry.
+inline bool is_planar(const Place& at) {
+  return at.scales.links && !at.scales.has_frames;
+}
+
+inline bool end_is_loaded(const Place& at) {
+  return at.scales.end_is_loaded;
+}
+
+/// Whether the command of the joint changes.
+inline bool moves(const Place& at) {
+  return at.scales.moves[at.joint];
+}
+
+inline bool turns_back(const Place& at) {
+  return at.scales.turns_back;
+}
+
+inline bool several_runs(const Place& at) {
+  return at.scales.runs > 1;
+}
+
+/// Whether places of the device are read by a camera or a tracker.
+inline bool places_are_read(const Place& at) {
+  using Name = Channel::Name;
+  const bool end = at.scales.measures(Name::x) || at.scales.measures(Name::y);
+  return at.scales.measures(Name::place) || (at.scales.links && end);
+}
+
+/// Whether places or orientations of points are read.
+inline bool points_are_read(const Place& at) {
+  return at.scales.measures(Channel::Name::place) || at.scales.measures(Channel::Name::turn);
+}
+
+/// The kind of an offset of the joint: an angle, or a way where it slides.
+inline ParameterKind offset_of_joint(const Place& at) {
+  return at.scales.slides[at.joint] ? ParameterKind::stroke : ParameterKind::joint_angle;
+}
+
+/// Whether joint angles are read, and something else: alone, their sensors' errors are those of the joints.
+inline bool angles_are_read_beside(const Place& at) {
+  return at.scales.measures(Channel::Name::q) && at.scales.kinds_read() > 1;
+}
+
+}  // namespace plumbline::diagnose
