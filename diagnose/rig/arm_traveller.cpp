@@ -151,27 +151,9 @@ double ArmTraveller::newton_step() {
   return length;
 }
 
-bool ArmTraveller::settle_contacts(bool all) {
-  bool changed = false;
-  for (std::size_t i = 0; sliders_ > 0 && i < joint_.size(); ++i) {
-    const JointLaw& law = on_.joint[i];
-    for (std::size_t s = 0; s < law.slider.size(); ++s) {
-      if (interval_.relaxed && !law.slider[s].from_rest) continue;
-      Contact& contact = contact_[i * sliders_ + s];
-      if (!law.slider[s].acts()) {
-        // The slider carries nothing; the direction of vanishing friction opposes the motion.
-        contact = coordinate_(joint_[i]) < memory_[i].angle ? Contact::slips_down : Contact::slips_up;
-        continue;
-      }
-      const Contact next =
-          law.next(law.slider[s], memory_[i].slider[s], coordinate_(joint_[i]), memory_[i], contact);
-      if (next == contact) continue;
-      contact = next;
-      changed = true;
-      if (!all) return true;
-    }
-  }
-  return changed;
+bool ArmTraveller::change_contacts(bool all) {
+  const auto angle = [&](std::size_t joint) { return coordinate_(joint_[joint]); };
+  return settle_contacts(step(), sliders_, all, angle, contact_);
 }
 
 /// Joints with play start on the side to which their load pulls them.
@@ -190,7 +172,7 @@ bool ArmTraveller::come_to_rest(bool contacts_hold) {
   for (int i = 0; i < newton_limit; ++i) {
     const double length = newton_step();
     if (!std::isfinite(length)) return false;
-    const bool settled = contacts_hold || !settle_contacts(i < joint_changes);
+    const bool settled = contacts_hold || !change_contacts(i < joint_changes);
     const bool rounding = length < 1e-11 && length >= last;
     if (settled && (rounding || length <= accuracy * (1 + coordinate_.lpNorm<Eigen::Infinity>())))
       return true;

@@ -51,7 +51,7 @@ class ArmTraveller {
   void yield_at_base();
   bool come_to_rest(bool contacts_hold);
   bool come_to_rest_on_mount(bool contacts_hold);
-  bool settle_contacts(bool all);
+  bool change_contacts(bool all);
   void start();
   [[nodiscard]] RigStep step() const { return {on_, interval_, memory_}; }
   [[nodiscard]] const Contact* contacts_of(std::size_t joint) const {

@@ -46,30 +46,10 @@ RigSolver<Bandwidth>::RigSolver(const Layout& layout, std::size_t readings)
       steps_left_(spare_steps + steps_per_reading * static_cast<long>(readings)) {}
 
 template <int Bandwidth>
-bool RigSolver<Bandwidth>::settle_contacts(const RigStep& step, bool all, Posture& posture) const {
+bool RigSolver<Bandwidth>::settle(const RigStep& step, bool all, Posture& posture) const {
   const Layout& layout = model_.layout();
-  if (layout.sliders == 0) return false;
-  bool changed = false;
-  for (std::size_t i = 0; i < step.run.joint.size(); ++i) {
-    const JointLaw& joint = step.run.joint[i];
-    const JointMemory& last = step.memory[i];
-    const double q = layout.joint_angle(posture.angle, i);
-    for (std::size_t s = 0; s < joint.slider.size(); ++s) {
-      if (step.interval.relaxed && !joint.slider[s].from_rest) continue;
-      Contact& contact = posture.contact[layout.contact(i, s)];
-      if (!joint.slider[s].acts()) {
-        // The slider carries nothing; the direction of vanishing friction opposes the motion.
-        contact = q < last.angle ? Contact::slips_down : Contact::slips_up;
-        continue;
-      }
-      const Contact next = joint.next(joint.slider[s], last.slider[s], q, last, contact);
-      if (next == contact) continue;
-      contact = next;
-      changed = true;
-      if (!all) return true;
-    }
-  }
-  return changed;
+  const auto angle = [&](std::size_t joint) { return layout.joint_angle(posture.angle, joint); };
+  return settle_contacts(step, layout.sliders, all, angle, posture.contact);
 }
 
 template <int Bandwidth>
@@ -86,7 +66,7 @@ bool RigSolver<Bandwidth>::newton(const RigStep& step, const Imposed& imposed, P
     if (!std::isfinite(turn)) return false;
     if (pace == Pace::careful && turn > std::max(allowed, felt_turn)) return false;
     system_.move(std::min(1.0, largest_turn / turn), posture.angle, posture.force);
-    const bool settled = !settle_contacts(step, i < joint_changes, posture);
+    const bool settled = !settle(step, i < joint_changes, posture);
     allowed = settled ? contraction * turn : largest_turn;
     if (settled && turn < angle_accuracy &&
         std::hypot(system_.push().x, system_.push().y) <
@@ -102,7 +82,7 @@ bool RigSolver<Bandwidth>::descend(const RigStep& step, const Imposed& imposed, 
   model_.become(step, imposed.loads, posture.contact);
   const auto contacts = [&] {
     --steps_left_;
-    settle_contacts(step, false, posture);
+    settle(step, false, posture);
   };
   const auto at_rest = [&] {
     // Where the tangent is indefinite, Newton's method would ascend.

@@ -47,10 +47,8 @@ class RigSolver {
   bool descend(const RigStep& step, const Imposed& imposed, Posture& posture);
   /// The chord step that cancels the residual at a posture.
   void balance(const RigStep& step, const Imposed& imposed, const Posture& posture);
-  /// Makes the states of the dry contacts consistent with the posture: all of them, which is fast but may
-  /// cycle, or the first inconsistent one, which does not cycle (Murty's rule).
-  /// \returns whether one changed
-  bool settle_contacts(const RigStep& step, bool all, Posture& posture) const;
+  /// Makes the states of the dry contacts consistent with the posture. \returns whether one changed
+  bool settle(const RigStep& step, bool all, Posture& posture) const;
 
   RigModel<Bandwidth> model_;
   LoadedSystem<RigModel<Bandwidth>> system_;

@@ -83,6 +83,37 @@ inline Torque history_torque(const RigStep& step, std::size_t joint, double q, c
 void remember(const RunRig& run, const TimeStep& during, std::size_t joint, double q, const Contact* contact,
               JointMemory& memory);
 
+/// Makes the states of the dry contacts consistent with joint angles: all of them, which is fast but may
+/// cycle, or the first inconsistent one, which does not cycle (Murty's rule).
+/// \param sliders  of each joint in `contact`
+/// \param angle    of a joint, by its number
+/// \returns whether one changed
+template <class Angle>
+bool settle_contacts(const RigStep& step, std::size_t sliders, bool all, Angle angle,
+                     std::vector<Contact>& contact) {
+  bool changed = false;
+  for (std::size_t i = 0; sliders > 0 && i < step.run.joint.size(); ++i) {
+    const JointLaw& law = step.run.joint[i];
+    const JointMemory& last = step.memory[i];
+    const double q = angle(i);
+    for (std::size_t s = 0; s < law.slider.size(); ++s) {
+      if (step.interval.relaxed && !law.slider[s].from_rest) continue;
+      Contact& state = contact[i * sliders + s];
+      if (!law.slider[s].acts()) {
+        // The slider carries nothing; the direction of vanishing friction opposes the motion.
+        state = q < last.angle ? Contact::slips_down : Contact::slips_up;
+        continue;
+      }
+      const Contact next = law.next(law.slider[s], last.slider[s], q, last, state);
+      if (next == state) continue;
+      state = next;
+      changed = true;
+      if (!all) return true;
+    }
+  }
+  return changed;
+}
+
 /// What is imposed: the true end point or the true force, and the loads along the chain.
 struct Imposed {
   Control control;

@@ -29,7 +29,7 @@ inline Candidate only(const char* effect, std::size_t joint = 0) {
 /// The form of an effect for the chain that is not the simplest one of its id.
 inline const Effect& other_form(std::string_view id) {
   const auto row = std::find_if(catalogue().begin(), catalogue().end(), [&](const Effect& one) {
-    return one.id == id && !one.at_joint && &one != &effect(id);
+    return one.id == id && !one.at_joint && !one.form.empty();
   });
   REQUIRE(row != catalogue().end());
   return *row;
@@ -58,7 +58,7 @@ inline std::optional<Chosen> chosen(const EffectAt& at) {
       {"plastic_set", {{0.05, 0}, {0.05, 0.3}}}};
   if (at.effect->id == "joint_stops" && at.effect != &effect("joint_stops"))  // each at its own angle
     return Chosen{{1, 10, 10, 10}, {1, 0.05, 0.08, 0.03}};
-  if (at.effect->id == "joint_friction" && at.effect != &effect("joint_friction"))  // gives before it slips
+  if (at.effect->id == "joint_friction" && !at.effect->form.empty())  // gives before it slips
     return Chosen{{0, std::log(0.01)}, {0.02, std::log(0.01)}};
   const auto place = all.find(at.effect->id);
   return place == all.end() ? std::nullopt : std::optional(place->second);
