@@ -177,18 +177,53 @@ Rig rig_with(const Study& study, const Candidate& candidate, const std::vector<d
   return rig;
 }
 
+namespace {
+
+/// The fitted coordinates, one of them farther by a step.
+std::vector<double> farther(std::vector<double> parameters, std::size_t p, double step) {
+  parameters[p] += step;
+  return parameters;
+}
+
+/// Parameters of which small amounts act otherwise than large ones: the play of a joint that nothing loads is
+/// felt by a path of its own alone.
+std::vector<bool> felt_on_the_way(const Candidate& candidate, const Study& study) {
+  std::vector<bool> all;
+  for (const EffectAt& at : candidate.effects)
+    all.insert(all.end(), study.ranges(at).size(), at.effect->perturbation.large_step);
+  return all;
+}
+
+bool shows_nothing(const std::vector<Trace>& sensitivity) {
+  return std::all_of(sensitivity.begin(), sensitivity.end(), [](const Trace& one) {
+    return (one.isNaN() || one == 0).all();
+  });
+}
+
+}  // namespace
+
 Prediction predict(const Study& study, const Candidate& candidate, const std::vector<double>& parameters,
                    bool with_sensitivity) {
+  const Experiment& experiment = study.experiment();
+  const Rig rig = rig_with(study, candidate, parameters);
+  if (!with_sensitivity) return simulate(experiment, rig, {});
+  const std::vector<ParameterRange> ranges = study.ranges(candidate);
   std::vector<RigVariation> variations;
-  if (with_sensitivity) {
-    for (const ParameterRange& range : study.ranges(candidate)) {
-      std::vector<double> other = parameters;
-      const double step = variation_share * range.scale;
-      other[variations.size()] += step;
-      variations.push_back({rig_with(study, candidate, other), step});
-    }
+  for (std::size_t p = 0; p < ranges.size(); ++p) {
+    const double step = variation_share * ranges[p].scale;
+    variations.push_back({rig_with(study, candidate, farther(parameters, p, step)), step});
   }
-  return simulate(study.experiment(), rig_with(study, candidate, parameters), variations);
+  Prediction here = simulate(experiment, rig, variations);
+  const std::vector<bool> on_the_way = felt_on_the_way(candidate, study);
+  for (std::size_t p = 0; p < ranges.size() && here.reached; ++p) {
+    if (!on_the_way[p] || !shows_nothing(here.sensitivity[p])) continue;
+    const double step = path_share * ranges[p].scale;
+    const Prediction there = simulate(experiment, rig_with(study, candidate, farther(parameters, p, step)), {});
+    if (!there.reached) continue;
+    for (std::size_t r = 0; r < here.runs.size(); ++r)
+      here.sensitivity[p][r] = (there.runs[r] - here.runs[r]) / step;
+  }
+  return here;
 }
 
 }  // namespace plumbline::diagnose

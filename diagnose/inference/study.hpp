@@ -77,6 +77,8 @@ Rig rig_with(const Study& study, const Candidate& candidate, const std::vector<d
 
 /// The share of a parameter's scale by which sensitivities vary it.
 inline constexpr double variation_share = 1e-6;
+/// The same for a variation that is followed along a path of its own.
+inline constexpr double path_share = 1e-3;
 
 /// Predicts every channel of every reading.
 /// \param parameters         fitted coordinates, in the order of the candidate's effects

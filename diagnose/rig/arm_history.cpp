@@ -23,7 +23,6 @@ bool walk_arm(const Experiment& experiment, const Run& run, const Rig& rig,
                  other = row;
   for (std::size_t r = 0; r < run.readings.size(); ++r) {
     const auto at = static_cast<Eigen::Index>(r);
-    const Reading& reading = run.readings[r];
     main.head_for(r);
     if (!main.settle()) return false;
     if (!others.empty()) main.prepare();

@@ -156,15 +156,20 @@ bool ArmTraveller::change_contacts(bool all) {
   return settle_contacts(step(), sliders_, all, angle, contact_);
 }
 
-/// Joints with play start on the side to which their load pulls them.
+/// Joints with play start on the side to which their load pulls them; without load they stay until they are led.
 void ArmTraveller::start() {
   coordinate_ = target_;
   const std::vector<double>& play = on_.rig.backlash;
   if (std::all_of(play.begin(), play.end(), [](double b) { return b == 0; })) return;
   const ArmLoads<double> at = loads(ArmPosture<double>(arm_, coordinate_));
-  for (std::size_t i = 0; i < joint_.size(); ++i)
-    if (const double load = at.force(joint_[i]); load != 0 && yields_by_law(on_.rig, i))
-      coordinate_(joint_[i]) += std::copysign(play[i], load) + load / on_.rig.stiffness[i];
+  for (std::size_t i = 0; i < joint_.size(); ++i) {
+    if (!yields_by_law(on_.rig, i)) continue;
+    double& q = coordinate_(joint_[i]);
+    if (const double load = at.force(joint_[i]); load != 0)
+      q += std::copysign(play[i], load) + load / on_.rig.stiffness[i];
+    else
+      q = std::clamp(memory_[i].angle, rest_[i] - play[i], rest_[i] + play[i]);
+  }
 }
 
 bool ArmTraveller::come_to_rest(bool contacts_hold) {

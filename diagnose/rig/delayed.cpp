@@ -26,11 +26,8 @@ std::vector<Reading> delayed(const Run& run, double delay) {
     if (next >= known.size()) break;
     const Reading then = commanded_at(t, *known[next - 1], *known[next]);
     one.rest = then.rest;
-    if (run.holds_end_point()) {
-      one.x = then.x, one.y = then.y;
-    } else if (!run.by_weights) {
-      one.Fx = then.Fx, one.Fy = then.Fy;
-    }
+    if (run.holds_end_point() || !run.by_weights)
+      for (const Channel& channel : run.imposed()) channel.in(one) = channel.of(then);
   }
   return all;
 }

@@ -155,7 +155,7 @@ Planted planted(const ServoBench& bench, const Candidate& cause, const std::vect
   for (Eigen::Index r = 0; r < truth.runs[0].rows(); ++r) {
     made.angle.emplace_back(), made.torque.emplace_back();
     for (std::size_t j = 0; j < bench.joints(); ++j) {
-      const double q = truth.runs[0](r, column_of({Channel::Name::q, j}));
+      const double q = truth.runs[0](r, Channel(Channel::Name::q, j).column);
       const double deflection = bench.commands[static_cast<std::size_t>(r)][j] - q;
       made.angle.back().push_back(q + bench.sigma * normal(engine));
       made.torque.back().push_back(bench.stiffness[j] * deflection);
