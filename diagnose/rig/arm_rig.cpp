@@ -44,6 +44,12 @@ void ArmRig::bend(std::size_t link, double flexibility) {
   arm.links[link].compliance += tube(arm.far_end(link).translation(), flexibility);
 }
 
+void add_mass(ArmLink<double>& link, double added, const Vector3<double>& at) {
+  const double sum = link.mass + added;
+  if (sum != 0) link.centre = (link.mass * link.centre + added * at) / sum;
+  link.mass = sum;
+}
+
 bool operator==(const ArmRig& a, const ArmRig& b) {
   const auto plain = [](const ArmRig& r) {
     return std::tie(r.arm, r.expansion, r.compensated, r.mount_compliance, r.tool_compliance, r.tool_play,

@@ -36,4 +36,7 @@ struct ArmRig {
   friend bool operator==(const ArmRig& a, const ArmRig& b);
 };
 
+/// Adds a mass that sits at a place in the link's frame.
+void add_mass(ArmLink<double>& link, double added, const Vector3<double>& at);
+
 }  // namespace plumbline::diagnose

@@ -10,6 +10,8 @@ double catalogue_value(Coordinate coordinate, double fitted) {
       return std::exp(fitted);
     case Coordinate::reciprocal:
       return 1 / fitted;
+    case Coordinate::growth:
+      return std::expm1(fitted);
     case Coordinate::plain:
       break;
   }
@@ -22,6 +24,8 @@ double fitted_value(Coordinate coordinate, double catalogue_units) {
       return std::log(catalogue_units);
     case Coordinate::reciprocal:
       return 1 / catalogue_units;
+    case Coordinate::growth:
+      return std::log1p(catalogue_units);
     case Coordinate::plain:
       break;
   }

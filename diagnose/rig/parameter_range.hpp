@@ -6,9 +6,10 @@
 
 namespace plumbline::diagnose {
 
-/// The coordinate in which a parameter is fitted: its value, its logarithm (time constants) or its reciprocal
-/// (rigidities, so that zero is the nominal model).
-enum class Coordinate { plain, logarithm, reciprocal };
+/// The coordinate in which a parameter is fitted: its value, its logarithm (time constants), its reciprocal
+/// (rigidities, so that zero is the nominal model), or the logarithm of one plus it (errors of what is positive
+/// and may be wrong by orders of magnitude, so that zero is the nominal model too).
+enum class Coordinate { plain, logarithm, reciprocal, growth };
 
 /// Conversions between the fitted coordinate and the catalogue's units.
 double catalogue_value(Coordinate coordinate, double fitted);
@@ -26,7 +27,9 @@ struct ParameterRange {
   double tolerance = 0;
 
   /// Whether zero is the nominal model.
-  [[nodiscard]] bool may_be_nothing() const { return coordinate == Coordinate::plain && low <= 0; }
+  [[nodiscard]] bool may_be_nothing() const {
+    return coordinate == Coordinate::growth || (coordinate == Coordinate::plain && low <= 0);
+  }
   /// Whether the parameter is a threshold, such as the angle of a stop: bounded away from zero.
   [[nodiscard]] bool is_onset() const { return coordinate == Coordinate::plain && low > 0; }
   /// The same between other bounds, where the law itself has them.

@@ -28,13 +28,13 @@ void Rig::add_mass(std::size_t link, double kilograms, const Vector2& gravity) {
 
 void Rig::add_bar(std::size_t link, double kilograms, const Vector2& gravity) {
   weight[link] += kilograms * gravity;
-  if (arm) arm->arm.links[link].add_mass(kilograms, arm->arm.far_end(link).translation() / 2);
+  if (arm) diagnose::add_mass(arm->arm.links[link], kilograms, arm->arm.far_end(link).translation() / 2);
 }
 
 void Rig::add_payload(double at_end, const Vector2& down) {
   payload += at_end * down;
   if (!arm || arm->arm.gravity.isZero(0)) return;
-  arm->arm.links.back().add_mass(at_end / arm->arm.gravity.norm(), arm->arm.tip.translation());
+  diagnose::add_mass(arm->arm.links.back(), at_end / arm->arm.gravity.norm(), arm->arm.tip.translation());
 }
 
 void Rig::scale_masses(double factor) {

@@ -69,7 +69,7 @@ enum class ParameterKind {
 };
 
 /// A row of the table. A parameter's scale and bounds are `typical`, `low` and `high` times `own`, the device's
-/// own size. A parameter that is fitted by its reciprocal has them of the reciprocal; one that is fitted by its
+/// own size. A parameter that is fitted in another coordinate has them of that; one that is fitted by its
 /// logarithm is as probable between the bounds everywhere.
 struct TypicalSize {
   ParameterKind kind;

@@ -55,12 +55,6 @@ struct ArmLink {
   /// the origin of the next link's frame, or the tip. Symmetric; zero is rigid.
   Matrix6<Real> compliance = Matrix6<Real>::Zero();
 
-  /// Adds a mass that sits at a place in the link's frame.
-  void add_mass(const Real& added, const Vector3<Real>& at) {
-    const Real sum = mass + added;
-    if (sum != Real(0)) centre = (mass * centre + added * at) / sum;
-    mass = sum;
-  }
   /// Whether all numbers are the same.
   friend bool operator==(const ArmLink& a, const ArmLink& b) {
     return a.kind == b.kind && a.frame.matrix() == b.frame.matrix() && a.axis == b.axis &&
