@@ -100,7 +100,7 @@ const std::vector<TypicalSize>& typical_sizes() {
   using Q = ParameterKind;
   constexpr Coordinate logarithm = Coordinate::logarithm, reciprocal = Coordinate::reciprocal;
   static const std::vector<TypicalSize> all{
-      {Q::stiffness_error, "error of a stiffness", "ratio", "1", 0.2, -9, 9, one, Coordinate::growth},
+      {Q::stiffness_error, "error of a stiffness", "ratio", "1", 0.2, -0.95, 9, one},
       {Q::length_error, "error of a length", "ratio", "1", 0.02, -0.3, 0.3, one},
       {Q::mass_error, "error of all masses", "ratio", "1", 0.1, -0.95, 3, one},
       {Q::load_gain, "error of a sensor or a lever of loads", "ratio", "1", 0.05, -0.9, 3, one},
