@@ -185,19 +185,15 @@ std::vector<double> farther(std::vector<double> parameters, std::size_t p, doubl
   return parameters;
 }
 
-/// Parameters of which small amounts act otherwise than large ones: the play of a joint that nothing loads is
-/// felt by a path of its own alone.
+/// Parameters of which small amounts act otherwise than large ones, where nothing loads the joints: their play is
+/// then felt along a path of its own alone, and beside another path it shows nothing.
 std::vector<bool> felt_on_the_way(const Candidate& candidate, const Study& study) {
+  const CharacteristicScales& sizes = study.scales();
+  const bool loaded = sizes.end_is_loaded || sizes.imposes_force || sizes.measures_force || sizes.nominal_weight;
   std::vector<bool> all;
   for (const EffectAt& at : candidate.effects)
-    all.insert(all.end(), study.ranges(at).size(), at.effect->perturbation.large_step);
+    all.insert(all.end(), study.ranges(at).size(), !loaded && at.effect->perturbation.large_step);
   return all;
-}
-
-bool shows_nothing(const std::vector<Trace>& sensitivity) {
-  return std::all_of(sensitivity.begin(), sensitivity.end(), [](const Trace& one) {
-    return (one.isNaN() || one == 0).all();
-  });
 }
 
 }  // namespace
@@ -216,7 +212,7 @@ Prediction predict(const Study& study, const Candidate& candidate, const std::ve
   Prediction here = simulate(experiment, rig, variations);
   const std::vector<bool> on_the_way = felt_on_the_way(candidate, study);
   for (std::size_t p = 0; p < ranges.size() && here.reached; ++p) {
-    if (!on_the_way[p] || !shows_nothing(here.sensitivity[p])) continue;
+    if (!on_the_way[p]) continue;
     const double step = path_share * ranges[p].scale;
     const Prediction there = simulate(experiment, rig_with(study, candidate, farther(parameters, p, step)), {});
     if (!there.reached) continue;
