@@ -185,11 +185,12 @@ std::vector<double> farther(std::vector<double> parameters, std::size_t p, doubl
   return parameters;
 }
 
-/// Parameters of which small amounts act otherwise than large ones, where nothing loads the joints: their play is
-/// then felt along a path of its own alone, and beside another path it shows nothing.
+/// Parameters of which small amounts act otherwise than large ones, where nothing loads the joints: their
+/// play is then felt along a path of its own alone, and beside another path it shows nothing.
 std::vector<bool> felt_on_the_way(const Candidate& candidate, const Study& study) {
   const CharacteristicScales& sizes = study.scales();
-  const bool loaded = sizes.end_is_loaded || sizes.imposes_force || sizes.measures_force || sizes.nominal_weight;
+  const bool loaded =
+      sizes.end_is_loaded || sizes.imposes_force || sizes.measures_force || sizes.nominal_weight;
   std::vector<bool> all;
   for (const EffectAt& at : candidate.effects)
     all.insert(all.end(), study.ranges(at).size(), !loaded && at.effect->perturbation.large_step);
@@ -214,7 +215,8 @@ Prediction predict(const Study& study, const Candidate& candidate, const std::ve
   for (std::size_t p = 0; p < ranges.size() && here.reached; ++p) {
     if (!on_the_way[p]) continue;
     const double step = path_share * ranges[p].scale;
-    const Prediction there = simulate(experiment, rig_with(study, candidate, farther(parameters, p, step)), {});
+    const Prediction there =
+        simulate(experiment, rig_with(study, candidate, farther(parameters, p, step)), {});
     if (!there.reached) continue;
     for (std::size_t r = 0; r < here.runs.size(); ++r)
       here.sensitivity[p][r] = (there.runs[r] - here.runs[r]) / step;

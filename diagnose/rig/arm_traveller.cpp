@@ -54,6 +54,9 @@ void ArmTraveller::head_for(std::size_t number) {
   time_ = reading.t;
   const std::vector<double> before = on_.command;
   on_.turn_to(reading.rest);
+  const double way = moved_ ? (column(on_.command) - column(before)).norm() : 0,
+               share = last_way_ > 0 ? way / last_way_ : 0;
+  last_way_ = way;
   for (std::size_t i = 0; i < rest_.size(); ++i) {
     if (moved_ && on_.command[i] != before[i]) way_[i] = on_.command[i] > before[i] ? 1 : -1;
     const double rest = on_.joint[i].rest;
@@ -61,7 +64,8 @@ void ArmTraveller::head_for(std::size_t number) {
       memory_[i].led = rest - rest_[i];
     else
       memory_[i].angle = rest;
-    memory_[i].speed = dt > 0 ? std::abs(memory_[i].led) / dt : 0;
+    memory_[i].speed =
+        dt > 0 ? share * memory_[i].turn / dt : 0;  // that of the last step, as the command goes on
     rest_[i] = rest;
   }
   expand(reading);
@@ -156,7 +160,8 @@ bool ArmTraveller::change_contacts(bool all) {
   return settle_contacts(step(), sliders_, all, angle, contact_);
 }
 
-/// Joints with play start on the side to which their load pulls them; without load they stay until they are led.
+/// Joints with play start on the side to which their load pulls them; without load they stay until they are
+/// led.
 void ArmTraveller::start() {
   coordinate_ = target_;
   const std::vector<double>& play = on_.rig.backlash;

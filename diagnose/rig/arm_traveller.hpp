@@ -81,9 +81,9 @@ class ArmTraveller {
   Vector<double> residual_;  ///< of the last step, with its derivatives
   Matrix<double> slope_;
   Eigen::PartialPivLU<Matrix<double>> tangent_;
-  std::vector<double> rest_;  ///< where the joints stood if nothing yielded
-  std::vector<double> way_;   ///< of their commands: 1 or -1, 0 before the first motion
-  double time_ = 0;
+  std::vector<double> rest_;        ///< where the joints stood if nothing yielded
+  std::vector<double> way_;         ///< of their commands: 1 or -1, 0 before the first motion
+  double time_ = 0, last_way_ = 0;  ///< of the last reading; length of the last step of the commands
   bool moved_ = false;
 };
 

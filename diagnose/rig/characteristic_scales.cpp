@@ -15,7 +15,8 @@ double or_zero(double value) {
 /// The load of a reading: on the end point, on a joint alone, or on an arm; of loads along the chain, as if
 /// there.
 double load_of(const Reading& reading, const std::vector<LoadChannel>& along) {
-  double load = std::max(std::hypot(or_zero(reading[column_Fx]), or_zero(reading[column_Fy])), reading.wrench_force().norm());
+  double load = std::max(std::hypot(or_zero(reading[column_Fx]), or_zero(reading[column_Fy])),
+                         reading.wrench_force().norm());
   for (const LoadChannel& one : along)
     load = std::max(load, std::abs(reading.covariates[one.covariate]) * one.moves.norm());
   return load;
@@ -155,15 +156,12 @@ void find_motion(const Experiment& experiment, CharacteristicScales& size) {
 /// Typical loads, and how far they turn a joint.
 void find_sizes(const Experiment& experiment, CharacteristicScales& size) {
   const double unit = size.stiffness / size.length;
-  const double weight = size.nominal_weight ? size.mass * static_cast<double>(size.link_mass.size()) *
-                                                  size.gravity
-                                            : 0;
+  const double weight =
+      size.nominal_weight ? size.mass * static_cast<double>(size.link_mass.size()) * size.gravity : 0;
   const double force = std::max(typical_force(experiment), 0.3 * weight);
   constexpr double gram = 1e-3;  // kg
   // Without loads, as where a servo alone moves the joints, the typical one turns a joint by 0.03 rad.
-  size.force = force > 0  ? std::max(force, 1e-4 * unit)
-               : unit > 0 ? 0.1 * unit
-                          : gram * standard_gravity;
+  size.force = force > 0 ? std::max(force, 1e-4 * unit) : unit > 0 ? 0.1 * unit : gram * standard_gravity;
   // That on a lever of a third of the chain.
   size.torque = 0.3 * size.force * size.length;
   constexpr double yields_little = 1e-3;  // rad, of joints that are modelled as rigid

@@ -12,20 +12,20 @@ namespace plumbline::diagnose {
 struct CharacteristicScales {
   // The device.
   std::vector<double> joint_stiffness, link_length, link_mass;  ///< nominal
-  std::vector<bool> rigid;   ///< by joint, whether it stands where it is commanded
-  std::vector<bool> slides;  ///< by joint, whether it slides
-  std::vector<double> reach; ///< by joint, distance to the next one, or the tip
-  double stiffness = 0;      ///< mean of the elastic joints
+  std::vector<bool> rigid;      ///< by joint, whether it stands where it is commanded
+  std::vector<bool> slides;     ///< by joint, whether it slides
+  std::vector<double> reach;    ///< by joint, distance to the next one, or the tip
+  double stiffness = 0;         ///< mean of the elastic joints
   double length = 0, link = 0;  ///< of all links, and of the mean one
   double mass = 0;              ///< of the mean link, or of the typical force, kg
   double gravity = 9.81;        ///< acceleration that the device feels, or would
-  double force = 0;       ///< the 90 % quantile of the loads, or their like
-  double torque = 0;      ///< of a joint under such a load, N m
-  double deflection = 0;  ///< of a joint under such a torque, rad
-  double turn = 1;        ///< unit of the ranges of angles, rad: 1, but for joints that hardly turn
+  double force = 0;             ///< the 90 % quantile of the loads, or their like
+  double torque = 0;            ///< of a joint under such a load, N m
+  double deflection = 0;        ///< of a joint under such a torque, rad
+  double turn = 1;              ///< unit of the ranges of angles, rad: 1, but for joints that hardly turn
   double duration = 0, sampling_interval = 0;  ///< of the longest run; of the fastest run
-  bool links = true;        ///< some link; a joint alone has none
-  bool has_frames = false;  ///< axes and points have places in space, not in one plane
+  bool links = true;                           ///< some link; a joint alone has none
+  bool has_frames = false;                     ///< axes and points have places in space, not in one plane
 
   // The bench, and what is read.
   bool weighs = true;           ///< gravity may act

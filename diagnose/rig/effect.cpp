@@ -12,8 +12,8 @@ namespace plumbline::diagnose {
 const std::vector<Effect>& catalogue() {
   static const std::vector<Effect> all = [] {
     std::vector<Effect> rows;
-    for (const auto& group : {joint_effects, joint_law_effects, friction_effects, command_effects, link_effects,
-                              axis_effects, bench_effects, tool_effects, load_sensor_effects,
+    for (const auto& group : {joint_effects, joint_law_effects, friction_effects, command_effects,
+                              link_effects, axis_effects, bench_effects, tool_effects, load_sensor_effects,
                               place_sensor_effects, joint_sensor_effects, common_effects, run_effects})
       for (Effect& row : group()) rows.push_back(std::move(row));
     return rows;
@@ -22,13 +22,22 @@ const std::vector<Effect>& catalogue() {
 }
 
 const std::map<std::string_view, std::string_view>& former_ids() {
-  static const std::map<std::string_view, std::string_view> all{
-      {"joint_zero", "rest_angle"},        {"zero_spread", "rest_spread"},   {"axis_spread", "length_spread"},
-      {"link_flexibility", "link_bending"}, {"tool_mass", "tip_payload"},     {"load_offset", "eccentric_load"},
-      {"mount_compliance", "base_compliance"}, {"tracker_offset", "position_offset"},
-      {"tracker_turn", "camera_turn"},     {"tracker_scale", "camera_scale"}, {"wrench_bias", "force_bias"},
-      {"load_zero", "force_bias"},         {"wrench_scale", "force_gain"},   {"load_gain", "force_gain"},
-      {"load_drift", "sensor_drift"},      {"load_lag", "sensor_lag"}};
+  static const std::map<std::string_view, std::string_view> all{{"joint_zero", "rest_angle"},
+                                                                {"zero_spread", "rest_spread"},
+                                                                {"axis_spread", "length_spread"},
+                                                                {"link_flexibility", "link_bending"},
+                                                                {"tool_mass", "tip_payload"},
+                                                                {"load_offset", "eccentric_load"},
+                                                                {"mount_compliance", "base_compliance"},
+                                                                {"tracker_offset", "position_offset"},
+                                                                {"tracker_turn", "camera_turn"},
+                                                                {"tracker_scale", "camera_scale"},
+                                                                {"wrench_bias", "force_bias"},
+                                                                {"load_zero", "force_bias"},
+                                                                {"wrench_scale", "force_gain"},
+                                                                {"load_gain", "force_gain"},
+                                                                {"load_drift", "sensor_drift"},
+                                                                {"load_lag", "sensor_lag"}};
   return all;
 }
 

@@ -98,8 +98,7 @@ struct Traveller {
   Vector2 measure_force(double t, double dt, double direction) {
     const Rig& rig = on.rig;
     const Vector2 force(posture.force.x, posture.force.y);
-    Vector2 read =
-        shown_by_cell(rig, turned(force, -rig.misalignment)) + zero_of_cell(rig, t);
+    Vector2 read = shown_by_cell(rig, turned(force, -rig.misalignment)) + zero_of_cell(rig, t);
     read.x() += rig.guide_friction * direction;
     return lagging(read, dt).cwiseMin(rig.force_limit).cwiseMax(-rig.force_limit);
   }

@@ -127,7 +127,8 @@ std::vector<double> values_of(const Experiment& experiment, std::size_t number, 
     const auto found = own.parameters.find(std::string(range.name));
     const std::string place = place_of(experiment, number, "parameters." + std::string(range.name));
     if (found == own.parameters.end()) throw Error(place, "no such key", "a number");
-    const bool above = range.coordinate == Coordinate::logarithm || range.coordinate == Coordinate::reciprocal;
+    const bool above =
+        range.coordinate == Coordinate::logarithm || range.coordinate == Coordinate::reciprocal;
     if (above ? !(found->second > 0) : found->second < 0 && range.low >= 0)
       throw Error(place, fmt::format("{}", found->second), above ? "a positive number" : "zero or more");
     values.push_back(found->second);

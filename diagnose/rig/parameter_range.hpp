@@ -7,8 +7,8 @@
 namespace plumbline::diagnose {
 
 /// The coordinate in which a parameter is fitted: its value, its logarithm (time constants), its reciprocal
-/// (rigidities, so that zero is the nominal model), or the logarithm of one plus it (errors of what is positive
-/// and may be wrong by orders of magnitude, so that zero is the nominal model too).
+/// (rigidities, so that zero is the nominal model), or the logarithm of one plus it (errors of what is
+/// positive and may be wrong by orders of magnitude, so that zero is the nominal model too).
 enum class Coordinate { plain, logarithm, reciprocal, growth };
 
 /// Conversions between the fitted coordinate and the catalogue's units.

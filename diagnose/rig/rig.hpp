@@ -78,13 +78,13 @@ struct Rig {
   std::vector<double> friction;              ///< tau_c, N m; acts at elastic joints
   std::vector<std::vector<Slider>> sliders;  ///< at elastic joints
   std::vector<Vector2> weight;               ///< dead weight of each link, at its middle, N
-  std::vector<Vector2> balance;  ///< torque on it, of the cosine and the sine of its angle, N m
+  std::vector<Vector2> balance;              ///< torque on it, of the cosine and the sine of its angle, N m
 
   // The drives of the joints, and what reads them.
-  double command_delay = 0;             ///< by which what drives impose is behind, s
-  std::vector<double> command_scale;    ///< g: a joint is led to 1 + g times its command
-  std::vector<Encoder> encoder;         ///< by which a servo leads it; the angles read are theirs
-  std::vector<SensorError> angle_read;  ///< of the angles
+  double command_delay = 0;              ///< by which what drives impose is behind, s
+  std::vector<double> command_scale;     ///< g: a joint is led to 1 + g times its command
+  std::vector<Encoder> encoder;          ///< by which a servo leads it; the angles read are theirs
+  std::vector<SensorError> angle_read;   ///< of the angles
   std::vector<SensorError> torque_read;  ///< of the torques of the drives
 
   // The chain as a whole.
@@ -101,12 +101,12 @@ struct Rig {
   double eccentricity = 0;   ///< e, m
 
   // The bench.
-  Vector2 payload = Vector2::Zero();          ///< weight at the end point, N
-  Vector2 base_compliance = Vector2::Zero();  ///< c_x, c_y, m/N
-  double train_compliance = 0;                ///< c_t, m/N
-  double misalignment = 0;                    ///< eps, rad
+  Vector2 payload = Vector2::Zero();                          ///< weight at the end point, N
+  Vector2 base_compliance = Vector2::Zero();                  ///< c_x, c_y, m/N
+  double train_compliance = 0;                                ///< c_t, m/N
+  double misalignment = 0;                                    ///< eps, rad
   Vector3<double> position_offset = Vector3<double>::Zero();  ///< of the frame in which places are told, m
-  double pulley_friction = 0;                 ///< mu: an imposed force acts times exp(-mu) while it grows
+  double pulley_friction = 0;   ///< mu: an imposed force acts times exp(-mu) while it grows
   double moment_arm_error = 0;  ///< a: tendons and pressures turn joints by 1 + a times their moment
   double capstan_friction = 0;  ///< mu: a tendon slips at a joint at a ratio exp(mu) of tensions
 

@@ -131,7 +131,8 @@ const std::vector<TypicalSize>& typical_sizes() {
       {Q::force_drift, "drift of a sensor of forces", "N/s", "f / T", 0.05, -3, 3, per_duration<force>},
       {Q::friction_torque, "dry friction", "N m", "tau", 0.05, 0, 50, torque},
       {Q::torque_zero, "zero of a sensor of torques", "N m", "tau", 0.05, -10, 10, torque},
-      {Q::torque_drift, "drift of a sensor of torques", "N m/s", "tau / T", 0.05, -10, 10, per_duration<torque>},
+      {Q::torque_drift, "drift of a sensor of torques", "N m/s", "tau / T", 0.05, -10, 10,
+       per_duration<torque>},
       {Q::balance_torque, "torque of a counterweight", "N m", "tau", 0.1, -10, 10, torque},
       {Q::yield_torque, "torque of plastic yield", "N m", "tau", 0.3, 1e-3, 10, torque},
       {Q::mass, "mass of a link", "kg", "m", 0.1, -20, 20, mass},
@@ -151,7 +152,8 @@ const std::vector<TypicalSize>& typical_sizes() {
       {Q::lag, "lag or delay", "s", "dt", 0.3, 0, 1, interval, Coordinate::plain, duration},
       {Q::decay_time, "time constant of a spring", "s", "dt", 1, 0.1, 20, interval, logarithm, duration},
       {Q::slip_way, "turn before friction slips", "rad", "phi", 1, 1e-4, 0.5, deflection, logarithm},
-      {Q::slip_deflection, "deflection at which a part of a spring slips", "rad", "phi", 0.1, 1e-3, 4, deflection},
+      {Q::slip_deflection, "deflection at which a part of a spring slips", "rad", "phi", 0.1, 1e-3, 4,
+       deflection},
       {Q::friction_speed, "speed at which friction falls", "rad/s", "2 phi / T", 1, 0.01, 100, speed,
        logarithm},
       {Q::expansion, "thermal expansion", "1/K", "1", 1.2e-5, -1.2e-3, 1.2e-3, one},
@@ -163,12 +165,13 @@ ParameterRange of(ParameterKind kind, std::string_view name, const Place& at) {
   const TypicalSize& row = typical_sizes().at(static_cast<std::size_t>(kind));
   const double own = row.own(at), own_high = row.own_high != nullptr ? row.own_high(at) : own;
   if (row.coordinate == Coordinate::logarithm)
-    return {name,         row.unit, row.coordinate, row.typical, std::log(row.low * own),
-            std::log(row.high * own_high)};
+    return {
+        name, row.unit, row.coordinate, row.typical, std::log(row.low * own), std::log(row.high * own_high)};
   return {name, row.unit, row.coordinate, row.typical * own, row.low * own, row.high * own_high};
 }
 
-std::function<std::vector<ParameterRange>(const Place& at)> one_of(ParameterKind kind, std::string_view name) {
+std::function<std::vector<ParameterRange>(const Place& at)> one_of(ParameterKind kind,
+                                                                   std::string_view name) {
   return some_of(kind, {name});
 }
 

@@ -49,8 +49,7 @@ std::vector<Effect> axis_effects() {
        .add = [](const Addition& to) { to.rig.arm->arm.links[to.joint].centre += vector_of(to.value); },
        .possible =
            [](const Place& at) {
-             return has_frames(at) && at.scales.weighs && loads_show(at) &&
-                    at.scales.link_mass[at.joint] > 0;
+             return has_frames(at) && at.scales.weighs && loads_show(at) && at.scales.link_mass[at.joint] > 0;
            }},
       {.id = "mount_tilt",
        .words = "a base that is tilted against gravity",

@@ -70,7 +70,8 @@ std::vector<Effect> bench_effects() {
        .dissipates = true,
        .parameters = one_of(ParameterKind::rope_friction, "mu"),
        .add = [](const Addition& to) { to.rig.pulley_friction += to.value[0]; },
-       .possible = [](const Place& at) { return is_planar(at) && at.scales.imposes_force && turns_back(at); }},
+       .possible =
+           [](const Place& at) { return is_planar(at) && at.scales.imposes_force && turns_back(at); }},
       {.id = "moment_arm",
        .words = "moment arms of tendons or pressures that are wrong by one factor",
        .parameters = one_of(ParameterKind::load_gain, "a"),

@@ -49,9 +49,7 @@ std::vector<Effect> command_effects() {
        .at_joint = true,
        .parameters = some_of(ParameterKind::axis_angle, {"c", "s"}),
        .add =
-           [](const Addition& to) {
-             to.rig.encoder[to.joint].ripple += Vector2(to.value[0], to.value[1]);
-           },
+           [](const Addition& to) { to.rig.encoder[to.joint].ripple += Vector2(to.value[0], to.value[1]); },
        .possible = turns_and_moves},
       {.id = "command_delay",
        .words = "a drive that follows its command with a delay",

@@ -124,29 +124,30 @@ std::vector<Effect> common_effects() {
        .possible = several_standing,
        .within_values = {"rest_offset", "rest_angle"},
        .is_tolerance = true},
-      {.id = "play",
-       .words = "play in every joint",
-       .parameters =
-           [](const Place& at) {
-             return each(at, {"b", "rad", priors::angle_tolerance, 0, 0.4});
-           },
-       .add =
-           [](const Addition& to) {
-             for_each_elastic(to, [&](std::size_t i, double b) { to.rig.backlash[i] += b; });
-           },
-       .possible = several_elastic,
-       .initial_guesses =
-           [](const Place& at, const Excitation& nominal) {
-             InitialGuesses guesses{{}, 2};
-             for (const double share : {0.05, 0.2}) {
-               guesses.points.emplace_back();
-               for (std::size_t i = 0; i < at.scales.joint_stiffness.size(); ++i)
-                 if (at.scales.joint_stiffness[i] > 0)
-                   guesses.points.back().push_back(share * nominal.deflection[i]);
-             }
-             return guesses;
-           },
-},
+      {
+          .id = "play",
+          .words = "play in every joint",
+          .parameters =
+              [](const Place& at) {
+                return each(at, {"b", "rad", priors::angle_tolerance, 0, 0.4});
+              },
+          .add =
+              [](const Addition& to) {
+                for_each_elastic(to, [&](std::size_t i, double b) { to.rig.backlash[i] += b; });
+              },
+          .possible = several_elastic,
+          .initial_guesses =
+              [](const Place& at, const Excitation& nominal) {
+                InitialGuesses guesses{{}, 2};
+                for (const double share : {0.05, 0.2}) {
+                  guesses.points.emplace_back();
+                  for (std::size_t i = 0; i < at.scales.joint_stiffness.size(); ++i)
+                    if (at.scales.joint_stiffness[i] > 0)
+                      guesses.points.back().push_back(share * nominal.deflection[i]);
+                }
+                return guesses;
+              },
+      },
       {.id = "friction_spread",
        .words = "dry friction that differs from joint to joint",
        .dissipates = true,

@@ -149,7 +149,8 @@ std::vector<Effect> springs() {
 
 std::vector<ParameterRange> piecewise_ranges(const Place& at) {
   constexpr double most_give = 0.95;  // relative loss of stiffness beyond the knee
-  return {of(ParameterKind::onset_angle, "s", at), of(ParameterKind::spring_part, "a", at).within(0, most_give)};
+  return {of(ParameterKind::onset_angle, "s", at),
+          of(ParameterKind::spring_part, "a", at).within(0, most_give)};
 }
 
 InitialGuesses piecewise_guesses(double reach) {
@@ -262,8 +263,9 @@ std::vector<Effect> memory() {
        .dissipates = true,
        .parameters =
            [](const Place& at) {
-             return std::vector{of(ParameterKind::spring_part, "m_1", at), of(ParameterKind::decay_time, "tau_1", at),
-                                of(ParameterKind::spring_part, "m_2", at), of(ParameterKind::decay_time, "tau_2", at)};
+             return std::vector{
+                 of(ParameterKind::spring_part, "m_1", at), of(ParameterKind::decay_time, "tau_1", at),
+                 of(ParameterKind::spring_part, "m_2", at), of(ParameterKind::decay_time, "tau_2", at)};
            },
        .add =
            [](const Addition& to) {

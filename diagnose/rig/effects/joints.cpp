@@ -49,8 +49,7 @@ std::vector<Effect> joint_effects() {
       {.id = "backlash",
        .words = "play in joint {}",
        .at_joint = true,
-       .parameters =
-           [](const Place& at) { return std::vector{of(offset_of_joint(at), "b", at).positive()}; },
+       .parameters = [](const Place& at) { return std::vector{of(offset_of_joint(at), "b", at).positive()}; },
        .add = [](const Addition& to) { to.rig.backlash[to.joint] += to.value[0]; },
        .possible = is_elastic,
        .initial_guesses =
@@ -89,7 +88,8 @@ std::vector<Effect> joint_effects() {
        .at_joint = true,
        .parameters =
            [](const Place& at) {
-             return std::vector{of(ParameterKind::onset_angle, "s", at), of(ParameterKind::stop_stiffness, "k_s", at)};
+             return std::vector{of(ParameterKind::onset_angle, "s", at),
+                                of(ParameterKind::stop_stiffness, "k_s", at)};
            },
        .add =
            [](const Addition& to) {
@@ -115,7 +115,8 @@ std::vector<Effect> joint_effects() {
        .dissipates = true,
        .parameters =
            [](const Place& at) {
-             return std::vector{of(ParameterKind::spring_part, "m", at), of(ParameterKind::decay_time, "tau", at)};
+             return std::vector{of(ParameterKind::spring_part, "m", at),
+                                of(ParameterKind::decay_time, "tau", at)};
            },
        .add =
            [](const Addition& to) {

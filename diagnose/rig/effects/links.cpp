@@ -47,8 +47,7 @@ std::vector<Effect> link_effects() {
              const ParameterRange any = of(ParameterKind::mass, "m", at);
              return std::vector{any.within(-at.scales.link_mass[at.joint], any.high)};
            },
-       .add =
-           [](const Addition& to) { to.rig.add_mass(to.joint, to.value[0], gravity_in_plane(to)); },
+       .add = [](const Addition& to) { to.rig.add_mass(to.joint, to.value[0], gravity_in_plane(to)); },
        .possible = [](const Place& at) { return weight_shows(at) && several_joints(at); }},
       {.id = "mass_scale",
        .words = "all masses wrong by one factor",
@@ -76,8 +75,7 @@ std::vector<Effect> link_effects() {
        .at_joint = true,
        .parameters = one_of(ParameterKind::bending_rigidity, "EI"),
        .add = [](const Addition& to) { to.rig.arm->bend(to.joint, 1 / to.value[0]); },
-       .possible =
-           [](const Place& at) { return at.scales.has_frames && at.scales.reach[at.joint] > 0; }},
+       .possible = [](const Place& at) { return at.scales.has_frames && at.scales.reach[at.joint] > 0; }},
   };
 }
 

@@ -1,6 +1,6 @@
 /// \file
-/// Effects of what reads loads: a load cell at the end point, the sensor of a joint alone, that of a wrench, and
-/// a second one beside it. A servo that imposes a load regulates on what the first one reads.
+/// Effects of what reads loads: a load cell at the end point, the sensor of a joint alone, that of a wrench,
+/// and a second one beside it. A servo that imposes a load regulates on what the first one reads.
 
 #include <algorithm>
 

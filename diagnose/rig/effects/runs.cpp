@@ -39,7 +39,8 @@ std::vector<Effect> run_effects() {
            },
        .possible =
            [](const Place& at) {
-             return several_runs(at) && any_elastic(at) && at.scales.runs * at.scales.link_length.size() <= most_values;
+             return several_runs(at) && any_elastic(at) &&
+                    at.scales.runs * at.scales.link_length.size() <= most_values;
            },
        .nested = {"rest_angle", "rest_offset", "rest_spread"}},
       {.id = "run_tare",
@@ -60,7 +61,8 @@ std::vector<Effect> run_effects() {
            },
        .possible =
            [](const Place& at) {
-             return several_runs(at) && is_planar(at) && at.scales.measures_force && 2 * at.scales.runs <= most_values;
+             return several_runs(at) && is_planar(at) && at.scales.measures_force &&
+                    2 * at.scales.runs <= most_values;
            },
        .nested = {"force_bias"}},
   };

@@ -44,10 +44,7 @@ std::vector<Effect> tool_effects() {
       {.id = "tool_play",
        .words = "a loose tool, which tips about one axis to the side of its load",
        .parameters = some_of(ParameterKind::axis_angle, {"b_x", "b_y", "b_z"}),
-       .add =
-           [](const Addition& to) {
-             to.rig.arm->tool_hinge += vector_of(to.value);
-           },
+       .add = [](const Addition& to) { to.rig.arm->tool_hinge += vector_of(to.value); },
        .possible = tool_is_seen,
        .form = "about one axis",
        .initial_guesses = hinges,

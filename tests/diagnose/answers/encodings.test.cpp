@@ -1,5 +1,5 @@
-/// One bench, written in every form that can hold it, gets one verdict: a planar chain, a joint alone, an arm in
-/// space, an arm whose drives tell their torque.
+/// One bench, written in every form that can hold it, gets one verdict: a planar chain, a joint alone, an arm
+/// in space, an arm whose drives tell their torque.
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
@@ -51,7 +51,8 @@ std::string listed(const std::vector<double>& numbers) {
   return fmt::format("[{}]", fmt::join(numbers, ", "));
 }
 
-/// A table with a row for each command and what is read there; columns by the stems "q_command", "q", "torque".
+/// A table with a row for each command and what is read there; columns by the stems "q_command", "q",
+/// "torque".
 /// \param names  of the columns of one joint, with their number where {} stands
 std::string table(const ServoBench& bench, const std::vector<std::string>& names,
                   const std::vector<std::vector<double>>& angle,
@@ -121,10 +122,10 @@ tip_xyz = [{}, 0, 0]
 )",
                                  bench.vertical ? -9.81 : 0.0, bench.length.back());
   for (std::size_t j = 0; j < bench.joints(); ++j)
-    text += fmt::format("[[arm.joint]]\nname = \"j{}\"\nlink = \"l{}\"\nkind = \"revolute\"\nxyz = [{}, 0, 0]\n"
-                        "axis = [0, 0, 1]\nstiffness = {}\nmass = {}\ncentre = [{}, 0, 0]\n",
-                        j, j, j > 0 ? bench.length[j - 1] : 0.0, bench.stiffness[j], bench.mass[j],
-                        bench.length[j] / 2);
+    text += fmt::format(
+        "[[arm.joint]]\nname = \"j{}\"\nlink = \"l{}\"\nkind = \"revolute\"\nxyz = [{}, 0, 0]\n"
+        "axis = [0, 0, 1]\nstiffness = {}\nmass = {}\ncentre = [{}, 0, 0]\n",
+        j, j, j > 0 ? bench.length[j - 1] : 0.0, bench.stiffness[j], bench.mass[j], bench.length[j] / 2);
   text += fmt::format("[noise]\nq = {}\n{}[[run]]\nid = \"sweep\"\nsamples = \"t.csv\"\n", bench.sigma,
                       torque > 0 ? fmt::format("torque = {}\n", torque) : "");
   return text;
@@ -250,7 +251,8 @@ TEST_CASE("dry friction is found where the drive tells its torque") {
   for (std::vector<double>& row : noisy.torque)
     for (double& one : row) one += sigma * normal(engine);
   const Diagnosis found = diagnose::diagnose(
-      study_of(as_arm(made.bench, sigma), table(made.bench, {"q_command{}", "q{}", "torque{}"}, made.angle, noisy.torque)));
+      study_of(as_arm(made.bench, sigma),
+               table(made.bench, {"q_command{}", "q{}", "torque{}"}, made.angle, noisy.torque)));
   INFO(told(found));
   REQUIRE(found.cause.named >= 1);
   CHECK(named(found).contains("joint_friction"));

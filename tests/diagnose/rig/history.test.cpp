@@ -114,18 +114,18 @@ TEST_CASE("an effect of amount zero is the nominal model, any other is not") {
   const Experiment experiment = full_bench();
   const Prediction nominal = predict(Study(experiment), {}, {});
   const auto possible = possible_effects(Study(experiment));
-  // Nothing saturates where no force was read, nominal links weigh nothing, no servo moves a joint, and there are
-  // no tendons, no second sensor, no torques of drives, no axes and points in space.
+  // Nothing saturates where no force was read, nominal links weigh nothing, no servo moves a joint, and there
+  // are no tendons, no second sensor, no torques of drives, no axes and points in space.
   std::set<std::string> without;
   for (const Effect& row : catalogue()) without.insert(row.id);
   for (const EffectAt& at : possible) without.erase(at.effect->id);
   CHECK(without == std::set<std::string>{
-                       "saturation",       "mass_scale",           "joint_scale",       "encoder_ripple",
-                       "joint_compliance", "joint_balance",        "gravity_compensation",
-                       "moment_arm",       "capstan_friction",     "second_zero",       "second_gain",
-                       "torque_bias",      "torque_scale",         "axis_tilt",         "axis_shift",
-                       "link_centre",      "mount_tilt",           "thermal_expansion", "tool_compliance",
-                       "tool_play",        "tool_offset",          "tool_turn"});
+                       "saturation",       "mass_scale",        "joint_scale",          "encoder_ripple",
+                       "joint_compliance", "joint_balance",     "gravity_compensation", "moment_arm",
+                       "capstan_friction", "second_zero",       "second_gain",          "torque_bias",
+                       "torque_scale",     "axis_tilt",         "axis_shift",           "link_centre",
+                       "mount_tilt",       "thermal_expansion", "tool_compliance",      "tool_play",
+                       "tool_offset",      "tool_turn"});
   for (const EffectAt& at : possible) {
     CAPTURE(at.effect->id);
     CAPTURE(at.joint);

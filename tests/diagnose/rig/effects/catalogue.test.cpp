@@ -174,7 +174,8 @@ TEST_CASE("a sizeable amount of each effect, by hand") {
       check_values({ranges[0].scale, ranges[1].scale}, {0.06, 1});
       continue;
     }
-    static const std::set<std::string_view> as_the_first{"tool_play", "rest_angle", "joint_scale", "base_compliance"};
+    static const std::set<std::string_view> as_the_first{"tool_play", "rest_angle", "joint_scale",
+                                                         "base_compliance"};
     if (!is_named && as_the_first.contains(row.id)) continue;  // forms of the kinds of sizes.test
     if (place == all.end() || !is_named) {  // of values within a tolerance, of which half is sizeable
       const CharacteristicScales size = sizes_by_hand();
@@ -317,12 +318,12 @@ TEST_CASE("every effect: perturbed parameters, step, dissipation and excitation"
     const bool is_own_stops = row.id == "joint_stops" && &row != &effect("joint_stops");
     const bool gives = row.id == "joint_friction" && !row.at_joint && &row != &effect("joint_friction");
     const bool of_one_link = row.id == "link_bending" && row.at_joint;
-    const Kind& expected = is_own_stops            ? own_stops
-                           : of_one_link           ? plain
+    const Kind& expected = is_own_stops                   ? own_stops
+                           : of_one_link                  ? plain
                            : row.form == "about one axis" ? hinged
-                           : gives                 ? giving
-                           : place == others.end() ? plain
-                                                   : place->second;
+                           : gives                        ? giving
+                           : place == others.end()        ? plain
+                                                          : place->second;
     CHECK(row.perturbation.growing == expected.growing);
     CHECK(row.perturbation.large_step == expected.large_step);
     CHECK(row.perturbation.guesses == expected.guesses);
@@ -346,12 +347,24 @@ TEST_CASE("ranges and initial guesses scale with the units of force, length and 
   const Excitation nominal = excitation_by_hand();
   Excitation scaled = nominal;
   scaled.torque *= N * m;
-  const std::map<std::string, double> factors{{"ratio", 1},         {"rad", 1},       {"1/rad", 1},
-                                              {"1/rad²", 1},        {"N", N},         {"N m", N * m},
-                                              {"N m/rad", N * m},   {"m", m},         {"s", s},
-                                              {"m/N", m / N},       {"1/N", 1 / N},   {"N/s", N / s},
-                                              {"N m/s", N * m / s}, {"rad/s", 1 / s}, {"N m²", N * m * m},
-                                              {"kg/m", N / m},      {"kg", N},        {"1/K", 1},
+  const std::map<std::string, double> factors{{"ratio", 1},
+                                              {"rad", 1},
+                                              {"1/rad", 1},
+                                              {"1/rad²", 1},
+                                              {"N", N},
+                                              {"N m", N * m},
+                                              {"N m/rad", N * m},
+                                              {"m", m},
+                                              {"s", s},
+                                              {"m/N", m / N},
+                                              {"1/N", 1 / N},
+                                              {"N/s", N / s},
+                                              {"N m/s", N * m / s},
+                                              {"rad/s", 1 / s},
+                                              {"N m²", N * m * m},
+                                              {"kg/m", N / m},
+                                              {"kg", N},
+                                              {"1/K", 1},
                                               {"rad/(N m)", 1 / (N * m)}};
   for (const Effect& row : catalogue()) {
     const std::size_t joint = row.at_joint ? 1 : 0;
