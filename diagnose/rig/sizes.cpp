@@ -100,7 +100,7 @@ const std::vector<TypicalSize>& typical_sizes() {
   using Q = ParameterKind;
   constexpr Coordinate logarithm = Coordinate::logarithm, reciprocal = Coordinate::reciprocal;
   static const std::vector<TypicalSize> all{
-      {Q::stiffness_error, "error of a stiffness", "ratio", "1", 0.2, -0.95, 9, one},
+      {Q::stiffness_error, "error of a stiffness", "ratio", "1", 0.2, -0.999, 999, one, Coordinate::growth},
       {Q::length_error, "error of a length", "ratio", "1", 0.02, -0.3, 0.3, one},
       {Q::mass_error, "error of all masses", "ratio", "1", 0.1, -0.95, 3, one},
       {Q::load_gain, "error of a sensor or a lever of loads", "ratio", "1", 0.05, -0.9, 3, one},
@@ -164,9 +164,13 @@ const std::vector<TypicalSize>& typical_sizes() {
 ParameterRange of(ParameterKind kind, std::string_view name, const Place& at) {
   const TypicalSize& row = typical_sizes().at(static_cast<std::size_t>(kind));
   const double own = row.own(at), own_high = row.own_high != nullptr ? row.own_high(at) : own;
-  if (row.coordinate == Coordinate::logarithm)
-    return {
-        name, row.unit, row.coordinate, row.typical, std::log(row.low * own), std::log(row.high * own_high)};
+  if (row.coordinate == Coordinate::logarithm || row.coordinate == Coordinate::growth)
+    return {name,
+            row.unit,
+            row.coordinate,
+            row.typical,
+            fitted_value(row.coordinate, row.low * own),
+            fitted_value(row.coordinate, row.high * own_high)};
   return {name, row.unit, row.coordinate, row.typical * own, row.low * own, row.high * own_high};
 }
 

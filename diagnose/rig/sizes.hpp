@@ -69,8 +69,8 @@ enum class ParameterKind {
 };
 
 /// A row of the table. A parameter's scale and bounds are `typical`, `low` and `high` times `own`, the
-/// device's own size. A parameter that is fitted in another coordinate has them of that; one that is fitted
-/// by its logarithm is as probable between the bounds everywhere.
+/// device's own size. Those of a reciprocal are of the reciprocal. One that is fitted by its logarithm is as
+/// probable between the bounds everywhere; one that is fitted by its growth has no own size but one.
 struct TypicalSize {
   ParameterKind kind;
   std::string_view words;  ///< for the document
