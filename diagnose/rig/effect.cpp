@@ -47,11 +47,10 @@ std::string_view current_id(std::string_view id) {
 }
 
 const Effect& effect(std::string_view id, std::size_t joint) {
+  const auto fit = [&](const Effect& row) { return 2 * (row.at_joint == (joint > 0)) + row.form.empty(); };
   const Effect* named = nullptr;
   for (const Effect& row : catalogue())
-    if (row.id == current_id(id) &&
-        (named == nullptr || (row.at_joint == (joint > 0) && row.at_joint != named->at_joint)))
-      named = &row;
+    if (row.id == current_id(id) && (named == nullptr || fit(row) > fit(*named))) named = &row;
   if (named != nullptr) return *named;
   throw Error("effect", std::string(id), "an id of the effect catalogue");
 }

@@ -93,18 +93,21 @@ bool has_parameters(const Effect& row, const NominalEffect& own, const Character
          });
 }
 
-/// The row that the effect names; of two, the one that has its parameters.
+/// The row that the effect names; of several, one that has its parameters, and is possible there.
 /// \throws Error for an id or joint that no row has
 const Effect& row_of(const Experiment& experiment, const CharacteristicScales& sizes, std::size_t number,
                      const NominalEffect& own) {
   const std::size_t n = experiment.link_length.size();
   bool known = false;
   const Effect* named = nullptr;
+  const auto fit = [&](const Effect& row) {
+    return 2 * has_parameters(row, own, sizes) + row.possible({sizes, own.joint > 0 ? own.joint - 1 : 0});
+  };
   for (const Effect* row : rows_of(experiment)) {
     if (row->id != own.id) continue;
     known = true;
     if (row->at_joint != (own.joint > 0) || own.joint > n) continue;
-    if (named == nullptr || has_parameters(*row, own, sizes)) named = row;
+    if (named == nullptr || fit(*row) > fit(*named)) named = row;
   }
   if (named != nullptr) return *named;
   if (!known)

@@ -48,23 +48,37 @@ class PeriodicInterference final : public NoiseTerm {
     return sum;
   }
 
+  static double pause_of(const NoiseEvidence& evidence, const Series& series) {
+    const auto first = static_cast<Eigen::Index>(series.first),
+               count = static_cast<Eigen::Index>(series.readings.size());
+    return (instant(evidence, first + count - 1) - instant(evidence, first)) / static_cast<double>(count - 1);
+  }
+
+  /// The one that the readings of a series show of it: a run that is read slowly shows an alias.
+  static double frequency_shown(const NoiseEvidence& evidence, const Series& series, double frequency) {
+    const double pause = pause_of(evidence, series);
+    return pause > 0 ? std::abs(frequency - std::round(frequency * pause) / pause) : 0;
+  }
+
   static void look_at(const NoiseEvidence& evidence, Sensor sensor, std::optional<NoiseProposal>& best) {
     const std::vector<const Series*> all = series_of(evidence, sensor);
     double longest = 0, pause = std::numeric_limits<double>::infinity(), occam = 0;
     for (const Series* one : all) {
-      const auto first = static_cast<Eigen::Index>(one->first),
-                 count = static_cast<Eigen::Index>(one->readings.size());
-      const double span = instant(evidence, first + count - 1) - instant(evidence, first);
-      longest = std::max(longest, span);
-      if (span > 0) pause = std::min(pause, span / static_cast<double>(count - 1));
-      occam += std::log(static_cast<double>(count));  // half for amplitude, half for phase
+      const double own = pause_of(evidence, *one), count = static_cast<double>(one->readings.size());
+      longest = std::max(longest, own * (count - 1));
+      if (own > 0) pause = std::min(pause, own);
+      occam += std::log(count);  // half for amplitude, half for phase
     }
     if (!(longest > 0)) return;
-    // Slower than this it is a trend; faster than half the sampling rate it is an alias.
+    // Slower than this it is a trend; faster than half the highest sampling rate it is an alias.
     const double lowest = 6 / longest, highest = 0.5 / pause, step = 0.25 / longest;
     const double log_prior =
         std::log(priors::uneven_noise) - std::log(std::max(1.0, (highest - lowest) / step));
     for (double frequency = lowest; frequency < highest; frequency += step) {
+      const auto trend = [&](const Series* one) {
+        return frequency_shown(evidence, *one, frequency) < lowest;
+      };
+      if (std::any_of(all.begin(), all.end(), trend)) continue;
       double gain = 0;
       for (const Series* one : all)
         gain += std::norm(transform(evidence, *one, frequency)) / static_cast<double>(one->readings.size());
@@ -91,9 +105,7 @@ class PeriodicInterference final : public NoiseTerm {
         shape.periodic(row, before + 2 * static_cast<Eigen::Index>(s) + 1) = std::sin(phase);
       }
       const auto first = static_cast<Eigen::Index>(series.first);
-      const double pause =
-          (instant(evidence, first + static_cast<Eigen::Index>(count) - 1) - instant(evidence, first)) /
-          (count - 1);
+      const double pause = pause_of(evidence, series);
       auto place = std::find_if(
           shape.interference.begin(), shape.interference.end(),
           [&](const Interference& one) { return one.run == series.run && one.sensor == sensor; });

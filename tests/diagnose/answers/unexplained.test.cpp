@@ -143,7 +143,7 @@ TEST_CASE("a press along y is told over y, and a joint that has most of the miss
   Experiment experiment = three_links();
   press(experiment, {0.3, -0.5, 0.4}, {-0.01, 0.02}, 10, false);
   experiment.noise = {1e-4, 1e-4, 1e-4, 1e-4, 1e-5};
-  Experiment read = measured(experiment, only("joint_stiffness", 2), {0.3}, 3);
+  Experiment read = measured(experiment, only("joint_stiffness", 2), {std::log1p(0.3)}, 3);
   const Study study(read);
   Where where = in_Fx();
   CHECK(describe_missing(study, declared_noise(study), where).against == "y");

@@ -56,7 +56,7 @@ TEST_CASE("a straight law of some joints is a stiffer spring there, in proportio
       CHECK(knot.torque == doctest::Approx(0.2 * own * knot.deflection).epsilon(1e-12));
   }
   const Candidate stiffer{{{"joint_stiffness", 1}, {"joint_stiffness", 3}}};
-  const Prediction expected = predict(study, stiffer, {0.2, 0.2});
+  const Prediction expected = predict(study, stiffer, {std::log1p(0.2), std::log1p(0.2)});
   // both are solved to ten digits of forces of some newtons
   CHECK(difference(predict_with_law(study, law).runs[0], expected.runs[0]) < 1e-8);
 }
@@ -78,7 +78,7 @@ TEST_CASE("what is left with a law is the sum of squares in the noise, without o
   };
   CHECK(left_with(study, noise, none) == close_to(squares(study.nominal_residual())).epsilon(1e-6));
   const TorqueLaw law = straight_law(study, {2}, {-1, 1, 40}, 0.3);
-  const Prediction stiffer = predict(study, only("joint_stiffness", 2), {0.2});
+  const Prediction stiffer = predict(study, only("joint_stiffness", 2), {std::log1p(0.2)});
   CHECK(left_with(study, noise, law) == close_to(squares(study.residual(stiffer))).epsilon(1e-6));
   // A spring that pushes away holds no posture.
   CHECK(left_with(study, noise, straight_law(study, {1, 2, 3}, {-1, 1, 40}, -30)) ==

@@ -109,7 +109,8 @@ TEST_CASE("a page has the numbers of the JSON at its keys, and the verdict") {
                             marked(report, "/cause/ranking/1/probability")));
   CHECK(has_words(page, "<span class=\"id\">force_gain</span>: less probable, with "));
   CHECK_FALSE(has_words(page, "a cause outside the catalogue, with probability"));
-  CHECK(has_words(page, "saturation</span>: not considered: on this bench"));
+  CHECK(has_words(page, ", saturation, "));
+  CHECK(has_words(page, "</span>: not considered: on this bench"));
   CHECK(has_words(page, "The area of a ring is the joint’s share."));
   CHECK(has_words(page, "corrected model: backlash(2) + gravity"));
   CHECK_FALSE(has_words(page, "model discrepancy"));
@@ -125,7 +126,8 @@ TEST_CASE("a page of an ambiguous cause, of an unknown one, and of none") {
   std::string page = as_html(study, made);
   ReportJson report = as_json(made);
   CHECK(has_words(
-      page, "cannot distinguish it from a wrong rest angle of joint 2 or a cause outside the catalogue."));
+      page,
+      "cannot distinguish it from a wrong zero or rest angle of joint 2 or a cause outside the catalogue."));
   CHECK(has_words(page,
                   "<span class=\"id\">rest_angle(2)</span>: these readings do not distinguish it from the "
                   "best; probability " +

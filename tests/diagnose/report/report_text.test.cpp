@@ -100,7 +100,7 @@ TEST_CASE("the headline names the cause on top of the ranking, or says that it f
   std::swap(made.cause.ranking[0], made.cause.ranking[1]);
   made.estimates = {{{"a", "rad", 0.02, 0.019, 0.021, false}}};
   CHECK(has_words(as_text(made),
-                  "\n\nIdentified: a wrong rest angle of joint 2\n"
+                  "\n\nIdentified: a wrong zero or rest angle of joint 2\n"
                   "  a = 0.02 rad (95 %: 0.019 to 0.021)\n"));
   made = made_up();
   made.fails_to_predict = true;

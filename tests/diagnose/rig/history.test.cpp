@@ -172,7 +172,7 @@ TEST_CASE("joint effects balance as their definitions say") {
   const std::vector<double>& k = experiment.joint_stiffness;
   const auto torque = [](double value) { return doctest::Approx(value).epsilon(1e-8).scale(1); };
 
-  each_reading(experiment, predict(Study(experiment), only("joint_stiffness", 2), {0.3}),
+  each_reading(experiment, predict(Study(experiment), only("joint_stiffness", 2), {std::log1p(0.3)}),
                [&](const Drawn& shape, const auto& rest, auto, auto) {
                  CHECK(k[1] * 1.3 * (shape.q[1] - rest[1]) == torque(shape.moment(1)));
                  CHECK(k[2] * (shape.q[2] - rest[2]) == torque(shape.moment(2)));

@@ -123,14 +123,15 @@ TEST_CASE("sensitivities are those of two rigs, and the load sensor's are exact"
   const Experiment experiment = joint_alone(Control::end_point, 10, 0.4);
   const Study study(experiment);
   const Candidate all{{{"load_zero"}, {"load_gain"}, {"joint_stiffness", 1}}};
-  const Prediction predicted = predict(study, all, {0.1, 0.2, 0.3}, true);
+  const Prediction predicted = predict(study, all, {0.1, 0.2, std::log1p(0.3)}, true);
   REQUIRE(predicted.reached);
   for (Eigen::Index i = 0; i <= 40; ++i) {
     const double spring = 10 * (shown(predicted, i, ChannelName::angle) - 0.05);
     CHECK(shown(predicted, i, ChannelName::torque) == doctest::Approx(1.2 * 1.3 * spring + 0.1).scale(1));
     CHECK(predicted.sensitivity[0][0](i, column_Fx) == doctest::Approx(1));
     CHECK(predicted.sensitivity[1][0](i, column_Fx) == doctest::Approx(1.3 * spring).scale(1));
-    CHECK(predicted.sensitivity[2][0](i, column_Fx) == doctest::Approx(1.2 * spring).scale(1));
+    // by the logarithm of the stiffness
+    CHECK(predicted.sensitivity[2][0](i, column_Fx) == doctest::Approx(1.2 * 1.3 * spring).scale(1));
   }
 }
 
@@ -175,10 +176,12 @@ TEST_CASE("noise of the imposed channel reaches the measured one through the spr
 }
 
 TEST_CASE("ranges of angles follow joints that hardly turn") {
-  // The torque of 0.3 mrad turns by 0.09 mrad: nine thousandths of 0.01 rad.
+  // The torque of 0.3 mrad turns by 0.09 mrad: nine thousandths of 0.01 rad. Nine readings of ten, in steps
+  // of 9 degrees of a sine, stay below its value at 81 degrees.
+  const double turn = 0.009 * std::sin(0.45 * M_PI);
   Experiment read = joint_alone(Control::end_point, 2.2, 3e-4);
   for (Reading& one : read.runs[0].readings) one[column_Fx] = 2.2 * (one[column_x] - 0.05);
   const std::vector<ParameterRange> ranges = Study(read).ranges({"rest_angle", 1});
-  CHECK(ranges[0].high == doctest::Approx(0.6 * 0.009));
-  CHECK(ranges[0].scale == doctest::Approx(0.05 * 0.009));
+  CHECK(ranges[0].high == doctest::Approx(0.6 * turn));
+  CHECK(ranges[0].scale == doctest::Approx(0.05 * turn));
 }

@@ -38,7 +38,7 @@ struct Document {
 Document read_document() {
   static const std::regex effect(R"(\| `(\w+)(\(j\))?` \| ([^`|]+) \|[^|]*\|[^|]*\|)");
   static const std::regex parameter(
-      R"(\| (`\w+(\(j\))?`(, \w+)?)? \| `(\w+)` \| ([^|]*) \| ([^|]*) \| ([^|]*) \|)");
+      R"(\| (`\w+(\(j\))?`(, [\w ]+)?)? \| `(\w+)` \| ([^|]*) \| ([^|]*) \| ([^|]*) \|)");
   static const std::regex pair(R"(\| `(\w+)` \| `(\w+)` \| [^|]* \|)");
   Document document;
   std::istringstream lines(read_text(PLUMBLINE_SOURCE_DIR "/docs/effects.md"));

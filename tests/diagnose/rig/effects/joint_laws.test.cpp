@@ -158,7 +158,7 @@ TEST_CASE(
   // s.
   const auto left = [&](double s) {
     return difference(predicted_run(experiment, only("piecewise_spring", 2), {s, 0.4}),
-                      predicted_run(experiment, only("joint_stiffness", 2), {-0.4}));
+                      predicted_run(experiment, only("joint_stiffness", 2), {std::log1p(-0.4)}));
   };
   CHECK(left(1e-4) == close_to(left(2e-4) / 2).epsilon(0.02));
   const Experiment one = one_joint({0.3, 0.6});
@@ -228,7 +228,8 @@ TEST_CASE("a very stiff element is dry friction, one that never slips a stiffer 
   CHECK(difference(predicted_run(experiment, only("hysteresis"), {r, 0.02 / (r * 1.5), 0, 1, 0, 1}),
                    predicted_run(experiment, only("joint_friction"), {0.02})) < solver_accuracy);
   CHECK(difference(predicted_run(experiment, only("hysteresis", 2), {0.3, 9, 0, 1, 0, 1}),
-                   predicted_run(experiment, only("joint_stiffness", 2), {0.3})) < solver_accuracy);
+                   predicted_run(experiment, only("joint_stiffness", 2), {std::log1p(0.3)})) <
+        solver_accuracy);
 }
 
 TEST_CASE("friction that gives is a spring until it slips; one that gives next to nothing is dry friction") {
