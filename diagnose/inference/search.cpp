@@ -126,13 +126,17 @@ class Searcher {
         log_posterior(one.look.log_by_amplitude, found_.likelihood->priors().log_amplitude).front());
   }
 
-  /// Whether nothing is left beside the leading single cause. Values at every joint imitate several causes at
-  /// once, and do not end the search for those.
+  /// Whether an effect has values at every joint: it imitates several causes at once, and does not end the
+  /// search for those.
+  static bool imitates(const Candidate& candidate) {
+    return std::any_of(candidate.effects.begin(), candidate.effects.end(),
+                       [](const EffectAt& at) { return !at.effect->within_values.empty(); });
+  }
+
+  /// Whether nothing is left beside the leading single cause.
   [[nodiscard]] bool one_cause_is_enough() const {
-    const auto imitates = [](const EffectAt& at) { return !at.effect->within_values.empty(); };
     for (const Hypothesis& one : found_.hypotheses)
-      if (std::none_of(one.candidate.effects.begin(), one.candidate.effects.end(), imitates))
-        return nothing_left(one) > 0.9;
+      if (!imitates(one.candidate)) return nothing_left(one) > 0.9;
     return false;
   }
 
@@ -277,7 +281,7 @@ class Searcher {
     constexpr double margin = 3;  // nats, of a linear forecast
     double reached = -std::numeric_limits<double>::infinity();
     for (const Hypothesis& h : found_.hypotheses)
-      reached = std::max(reached, promise(squares(h), h.candidate));
+      if (!imitates(h.candidate)) reached = std::max(reached, promise(squares(h), h.candidate));
     std::erase_if(tasks, [&](const Task& t) { return promise(t.cost, t.candidate) < reached - margin; });
     std::stable_sort(tasks.begin(), tasks.end(), [&](const Task& a, const Task& b) {
       return promise(a.cost, a.candidate) > promise(b.cost, b.candidate);
