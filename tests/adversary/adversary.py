@@ -1,9 +1,10 @@
 """Attacks `critical`, `path` and `equilibria` with random structures, and judges every answer by mechanics of its own.
 
     adversary.py PLUMBLINE [--structures 2000] [--seed 1] [--kinds dead,follower,...] [--keep FOLDER] [--seconds 8]
+                 [--table RESULTS.md]
     adversary.py PLUMBLINE --files CHAIN.toml ...
 
-Prints a line for each bad answer, then the table; exit status 1 if there was one. Nothing here is shared with the program: structures
+Prints a line for each bad answer, then the table, and writes it between the marks of a document; exit status 1 if there was one. Nothing here is shared with the program: structures
 are read from their chain files anew, assembled from the energy of turned links, and decided with integers.
 """
 import argparse
@@ -57,6 +58,14 @@ def attack_with(program, files):
     return tally
 
 
+def write_between_marks(path, text):
+    with open(path, encoding="utf-8") as file:
+        before, rest = file.read().split("<!-- adversary:begin -->")
+    after = rest.split("<!-- adversary:end -->")[1]
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(f"{before}<!-- adversary:begin -->\n{text}\n<!-- adversary:end -->{after}")
+
+
 def main():
     arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     arguments.add_argument("plumbline")
@@ -65,6 +74,7 @@ def main():
     arguments.add_argument("--kinds", default=",".join(SHARES))
     arguments.add_argument("--keep")
     arguments.add_argument("--seconds", type=int, default=8)
+    arguments.add_argument("--table")
     arguments.add_argument("--files", nargs="+")
     asked = arguments.parse_args()
     program = Program(asked.plumbline, asked.seconds)
@@ -73,6 +83,8 @@ def main():
     else:
         tally = attack(program, asked.structures, asked.seed, asked.kinds.split(","), asked.keep)
     print(tally.table())
+    if asked.table:
+        write_between_marks(asked.table, f"Seed {asked.seed}.\n\n{tally.table()}")
     return 1 if tally.bad else 0
 
 
