@@ -42,6 +42,11 @@ void read_ends(const TypedTable& table, Structure<Rational>& structure) {
   structure.end_point = read_end(
       table, "end_point", {{"guided", guided<Rational>()}, {"free", {}}, {"clamped", clamped<Rational>()}},
       guided<Rational>());
+  const bool held_at_base = !structure.base.along.is_free();
+  if (held_at_base != structure.end_point.along.is_free())
+    throw Error(table.place(held_at_base ? "end_point" : "base"),
+                std::string(held_at_base ? "both ends" : "neither end") + " held along the chain",
+                "one of the two");
   if (!table.has("base") || table.node("base").is_table()) return;
   const std::string word = word_of(table.node("base"));
   const bool passive = structure.chain.passive_joint(0);

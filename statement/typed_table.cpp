@@ -87,6 +87,8 @@ std::vector<TypedTable> TypedTable::tables(std::string_view key, const std::vect
   const toml::array* list = node(key).as_array();
   if (list == nullptr)
     throw Error(place(key), as_written(node(key)), "a list of tables, such as [" + example + "]");
+  if (list->empty())
+    throw Error(place(key), "an empty list", "one such as [" + example + "], or no such key");
   for (const toml::node& item : *list) {
     if (!item.is_table()) throw Error(place(key), as_written(item), "a table, such as " + example);
     all.emplace_back(*item.as_table(), source_, known);

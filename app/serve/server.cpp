@@ -61,15 +61,16 @@ class Page {
     root_ = "/" + token_ + "/";
     server_.set_pre_routing_handler(
         [this](const Request& request, Response& response) { return guard(request, response); });
-    server_.set_exception_handler([](const Request&, Response& response, const std::exception_ptr& thrown) {
-      try {
-        std::rethrow_exception(thrown);
-      } catch (const Error& error) {
-        answer(response, 422, {{"error", error.what()}});
-      } catch (...) {
-        answer(response, 500, {{"error", "something went wrong inside"}});
-      }
-    });
+    server_.set_exception_handler(
+        [this](const Request&, Response& response, const std::exception_ptr& thrown) {
+          try {
+            std::rethrow_exception(thrown);
+          } catch (const Error& error) {
+            answer(response, 422, {{"error", bench_.in_own_names(error.what())}});
+          } catch (...) {
+            answer(response, 500, {{"error", "something went wrong inside"}});
+          }
+        });
     add_pages();
     add_work();
     add_results();

@@ -128,12 +128,16 @@ json WorkBench::described() const {
     result["link_length"] = experiment.link_length;
     require_conventions(study_of({}, experiment));
   } catch (const Error& question) {
-    std::string text = question.what();
-    const std::string folder = place_->path().string() + "/";
-    for (std::size_t at; (at = text.find(folder)) != std::string::npos;) text.erase(at, folder.size());
-    result["question"] = text;
+    result["question"] = in_own_names(question.what());
   }
   return result;
+}
+
+std::string WorkBench::in_own_names(std::string text) const {
+  if (!place_) return text;
+  const std::string folder = place_->path().string() + "/";
+  for (std::size_t at; (at = text.find(folder)) != std::string::npos;) text.erase(at, folder.size());
+  return text;
 }
 
 json WorkBench::begin(bool as_is) {
@@ -178,7 +182,7 @@ void WorkBench::diagnose(bool as_is, const std::stop_token& stop) {
   } catch (const Cancelled&) {
     outcome = {State::cancelled, "given up", "", {}};
   } catch (const std::exception& error) {
-    outcome = {State::failed, error.what(), "", {}};
+    outcome = {State::failed, in_own_names(error.what()), "", {}};
   }
   const std::lock_guard lock(mutex_);
   outcome_ = std::move(outcome);

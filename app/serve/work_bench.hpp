@@ -47,6 +47,8 @@ class WorkBench {
   [[nodiscard]] std::string report() const;
   /// The corrected models.
   [[nodiscard]] std::vector<NamedFile> corrected() const;
+  /// A complaint with the files by the names that the person gave, without our folder for them.
+  [[nodiscard]] std::string in_own_names(std::string text) const;
   /// The experiment's folder.
   [[nodiscard]] std::vector<NamedFile> folder() const;
 

@@ -4,8 +4,9 @@
                  [--table RESULTS.md]
     adversary.py PLUMBLINE --files CHAIN.toml ...
 
-Prints a line for each bad answer, then the table, and writes it between the marks of a document; exit status 1 if there was one. Nothing here is shared with the program: structures
-are read from their chain files anew, assembled from the energy of turned links, and decided with integers.
+Prints a line for each bad answer, then the table; exit status 1 if there was one. RESULTS.md takes the table between its marks of that
+seed. Nothing here is shared with the program: structures are read from their chain files anew, assembled from the energy of turned links,
+and decided with integers.
 """
 import argparse
 import sys
@@ -58,12 +59,12 @@ def attack_with(program, files):
     return tally
 
 
-def write_between_marks(path, text):
+def write_between_marks(path, seed, text):
+    begin, end = f"<!-- seed {seed} -->", f"<!-- end of seed {seed} -->"
     with open(path, encoding="utf-8") as file:
-        before, rest = file.read().split("<!-- adversary:begin -->")
-    after = rest.split("<!-- adversary:end -->")[1]
+        before, rest = file.read().split(begin)
     with open(path, "w", encoding="utf-8") as file:
-        file.write(f"{before}<!-- adversary:begin -->\n{text}\n<!-- adversary:end -->{after}")
+        file.write(f"{before}{begin}\n{text}\n{end}{rest.split(end)[1]}")
 
 
 def main():
@@ -84,7 +85,7 @@ def main():
         tally = attack(program, asked.structures, asked.seed, asked.kinds.split(","), asked.keep)
     print(tally.table())
     if asked.table:
-        write_between_marks(asked.table, f"Seed {asked.seed}.\n\n{tally.table()}")
+        write_between_marks(asked.table, asked.seed, tally.table())
     return 1 if tally.bad else 0
 
 

@@ -41,7 +41,7 @@ def critical(program, text, tally, digits):
     kinds = {load.kind for load in statement.loads}
     if "torque" in kinds:
         return of_torque(statement, answer, tally)
-    line = straight(statement)
+    line = straight(statement, twists=False)
     if "follower" in kinds:
         return of_loss(program, text, line, answer, tally, digits)
     return of_modes(statement, line, answer, tally)

@@ -67,8 +67,11 @@ def lateral_forces(straight, statement, factor, whole, largest):
     if statement.end_point.across != "held" or statement.space or len(integers.echelon(integers.scaled(held)[0][0])[1]) < len(held):
         return None
     pulls = integers.product(integers.combination(1, stiffness, -factor, load), whole)
-    pulls = numpy.array([[float(Fraction(x) / big) for x, big in zip(row, largest)] for row in pulls])
-    return -numpy.linalg.lstsq(numpy.array(held, dtype=float).T, pulls, rcond=1e-14)[0][bent.end_row(statement)]
+    (rows,), times = integers.scaled(held)
+    square = integers.product(rows, integers.transposed(rows))
+    (right,), finer = integers.scaled(integers.product(rows, pulls))
+    ends = [integers.solution(square, column)[bent.end_row(statement)] for column in integers.transposed(right)]
+    return numpy.array([-float(end * times / (finer * big)) for end, big in zip(ends, largest)])
 
 
 def fault_of_shape(turns, lateral, space, forces):

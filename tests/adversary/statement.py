@@ -148,6 +148,7 @@ def load(table, lengths, size):
     fixed = fixed_of(table)
     if kind == "weight":
         return weights(table, lengths, size)
+    demand(not fixed or kind not in ("moment", "torque"), f"a {kind} is fixed")
     node = len(lengths)
     if "at" in table:
         demand(type(table["at"]) is int and 2 <= table["at"] <= len(lengths), "at names no joint")

@@ -58,7 +58,8 @@ def masses_of(statement, about):
     return result
 
 
-def straight(statement):
+def straight(statement, twists=True):
+    """Turns about the chain's own line are motions too, but for critical factors, in which docs/ends-and-loads.md leaves them out."""
     about = energy.expansion(statement)
     forces, slopes = {}, {}
     for fixed, work in ((False, about.work), (True, about.fixed_work)):
@@ -71,6 +72,9 @@ def straight(statement):
     held = [about.gradient(c) for c in about.constraints]
     if energy.shifts(statement)[1]:  # moving along the chain as one changes nothing across it
         held.append([Fraction(i == about.size - 1) for i in range(about.size)])
+    if not twists:
+        twisting = [turn for turn, (_, axis, _) in enumerate(energy.turns(statement)) if not any(axis[1:])]
+        held += [[Fraction(i == turn) for i in range(about.size)] for turn in twisting]
     (rows,), _ = integers.scaled(held)
     basis = integers.null_space(rows, about.size)
     (reactions,), _ = integers.scaled(list(forces.values()))
