@@ -5,6 +5,7 @@
 
 #include "app/arguments.hpp"
 #include "app/corrected_files.hpp"
+#include "app/diagnose_change.hpp"
 #include "app/diagnose_many.hpp"
 #include "app/experiment_input.hpp"
 #include "app/outputs.hpp"
@@ -13,29 +14,20 @@
 #include "diagnose/report/plan.hpp"
 #include "diagnose/report/report.hpp"
 #include "diagnose/screening/conventions.hpp"
+#include "support/files/experiment_files.hpp"
 
 namespace plumbline::app {
 namespace {
 
 struct DiagnoseOptions {
   std::vector<std::string> experiments;
-  std::string effects, model, corrected, json, html, reports;
-  bool next = false, as_is = false, plan = false;
+  std::string effects, model, corrected, json, html, reports, against;
+  bool next = false, as_is = false, plan = false, check = false;
 
   [[nodiscard]] ExperimentInput input() const {
     return {experiments.empty() ? "" : experiments.front(), model, effects};
   }
 };
-
-/// \param work  called with a function that reports the fraction of work done
-auto with_progress(const std::string& name, auto work) {
-  constexpr std::size_t steps = 100;
-  Progress progress(name, steps);
-  std::size_t shown = 0;
-  return work([&](double share) {
-    for (; shown < static_cast<std::size_t>(share * steps); ++shown) progress.advance();
-  });
-}
 
 void run_plan(const DiagnoseOptions& options, const CLI::App& verb) {
   if (options.experiments.size() > 1) throw Error("--plan", "several experiments", "one bench");
@@ -59,6 +51,10 @@ void run_many(const DiagnoseOptions& options, const CLI::App& verb) {
       options.experiments, options.reports, options.json, options.html, {}, {options.model, options.effects}};
   if (!options.model.empty()) many.words.insert(many.words.end(), {"--model", options.model});
   if (!options.effects.empty()) many.words.insert(many.words.end(), {"--effects", options.effects});
+  if (!options.against.empty()) {
+    many.words.insert(many.words.end(), {"--against", options.against});
+    for (const auto& file : files::files_read(options.against)) many.inputs.push_back(file.string());
+  }
   if (options.next) many.words.emplace_back("--next");
   if (options.as_is) many.words.emplace_back("--as-is");
   diagnose_many(many, verb);
@@ -97,8 +93,9 @@ void run_diagnosis(const DiagnoseOptions& options, const CLI::App& verb) {
 
 void run(const DiagnoseOptions& options, const CLI::App& verb) {
   if (options.plan) return run_plan(options, verb);
-  return options.experiments.size() > 1 || !options.reports.empty() ? run_many(options, verb)
-                                                                    : run_diagnosis(options, verb);
+  if (options.experiments.size() > 1 || !options.reports.empty()) return run_many(options, verb);
+  if (options.against.empty()) return run_diagnosis(options, verb);
+  diagnose_change({options.input(), options.against, options.json, options.html, options.check}, verb);
 }
 
 }  // namespace
@@ -130,6 +127,14 @@ void add_diagnose(CLI::App& app) {
                      "Write the report as JSON too (without FILE: to standard output alone)");
   auto* html = add_output(*verb, "--html", options->html,
                           "Write a page with curves, residuals and the chain: one file, to print or send");
+  auto* against = verb->add_option("--against", options->against,
+                                   "What changed since: another data set of the same device, with the same "
+                                   "nominal model. What the model lacks in both cancels")
+                      ->type_name("FOLDER");
+  auto* check = verb->add_flag("--check", options->check,
+                               "With --against: exit status 0 for no change, 1 for a change, 2 where the "
+                               "readings cannot tell")
+                    ->needs(against);
   auto* reports = add_output(
       *verb, "--reports", options->reports,
       "Keep the report of each of several experiments in this folder, as NAME.json and NAME.html", "DIR");
@@ -143,7 +148,9 @@ void add_diagnose(CLI::App& app) {
       "Before any data, from experiment.toml, whose runs may be without samples or hold commands "
       "alone: which effects the bench cannot detect, which it cannot distinguish, and the fewest "
       "runs that distinguish the rest");
-  for (CLI::Option* other : {corrected, html, reports, next, as_is}) plan->excludes(other);
+  for (CLI::Option* other : {corrected, html, reports, next, as_is, against}) plan->excludes(other);
+  for (CLI::Option* other : {corrected, next}) against->excludes(other);
+  check->excludes(reports);
   verb->footer(
       "Exit status 1 when one of several experiments could not be diagnosed; the others are reported.");
   verb->callback([options, verb] { run(*options, *verb); });

@@ -36,4 +36,14 @@ class Progress {
   std::jthread shown_;
 };
 
+/// \param work  called with a function that reports the fraction of work done
+auto with_progress(const std::string& name, auto work) {
+  constexpr std::size_t steps = 100;
+  Progress progress(name, steps);
+  std::size_t shown = 0;
+  return work([&](double share) {
+    for (; shown < static_cast<std::size_t>(share * steps); ++shown) progress.advance();
+  });
+}
+
 }  // namespace plumbline::app

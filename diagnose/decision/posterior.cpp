@@ -153,7 +153,10 @@ std::vector<Way> ways(const Study& study, const Findings& findings) {
 Posterior posterior(const Study& study, const Findings& findings) {
   const std::vector<Way> all = ways(study, findings), gaps(all.begin() + 1, all.end());
   Posterior result;
-  result.no_gap = std::exp(weights(all, 1).front());
+  const std::vector<double> log_probability = weights(all, 1);
+  const std::vector<double> of_gaps(log_probability.begin() + 1, log_probability.end());
+  result.no_gap = std::exp(log_probability.front());
+  result.log_odds_of_gap = log_sum(of_gaps) - log_probability.front();
   double discrepancy = 0;
   const std::vector<double> plain = weights(gaps, 1);
   for (std::size_t i = 0; i < gaps.size(); ++i) discrepancy += std::exp(plain[i]) * gaps[i].discrepancy;

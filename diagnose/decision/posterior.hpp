@@ -40,6 +40,7 @@ std::vector<Way> ways(const Study& study, const Findings& findings);
 
 struct Posterior {
   double no_gap = 0;
+  double log_odds_of_gap = 0;  ///< over no gap
   double outside = 0;
   std::vector<CauseProbability> causes;  ///< most probable first
   /// By label: that an effect is part of the cause, whether or not something outside of the catalogue is too.

@@ -318,11 +318,18 @@ std::string headline(const Diagnosis& diagnosis) {
 
 }  // namespace
 
-std::string as_text(const Diagnosis& diagnosis) {
-  const std::string text = diagnosis.experiment + "\n\n" + headline(diagnosis) + "\n" + gap(diagnosis);
-  if (!diagnosis.gap.present) return text;
-  return text + "\n" + where(diagnosis) + "\n" + what(diagnosis) + "\n" + how_far(diagnosis) +
+std::string values_as_text(const Diagnosis& diagnosis) {
+  return few_values(diagnosis);
+}
+
+std::string questions_as_text(const Diagnosis& diagnosis) {
+  if (!diagnosis.gap.present) return gap(diagnosis);
+  return gap(diagnosis) + "\n" + where(diagnosis) + "\n" + what(diagnosis) + "\n" + how_far(diagnosis) +
          (diagnosis.proposals.empty() ? "" : "\n" + what_next(diagnosis));
+}
+
+std::string as_text(const Diagnosis& diagnosis) {
+  return diagnosis.experiment + "\n\n" + headline(diagnosis) + "\n" + questions_as_text(diagnosis);
 }
 
 }  // namespace plumbline::diagnose

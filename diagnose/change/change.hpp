@@ -1,0 +1,40 @@
+#pragma once
+/// \file
+/// The change of a device between two data sets.
+
+#include <functional>
+#include <optional>
+
+#include "diagnose/answers/diagnosis.hpp"
+#include "diagnose/change/paired_states.hpp"
+
+namespace plumbline::diagnose {
+
+/// An effect that is there now and was not, or the reverse.
+enum class Sense { added, removed };
+
+struct Change {
+  std::string before, after;    ///< names of the two experiments
+  Sense sense;                  ///< of what the diagnosis names
+  double sense_probability;     ///< of this sense over the other
+  Study study;                  ///< one state relative to the other
+  Diagnosis diagnosis;          ///< of that: its gap is the change
+  std::vector<PairedRun> runs;  ///< of the state that is diagnosed
+  /// The most probable cause in the other sense, where it is another and worth naming.
+  std::optional<RankedCause> otherwise;
+};
+
+/// What changed from `before` to `after`. Either state is diagnosed relative to the other, for an effect that
+/// one row of the catalogue describes can only be there or not: the sense is that of the larger evidence over
+/// no change at all.
+/// \param progress  called now and then with the share of the work that is done
+/// \throws Error as relative_to and diagnose do
+Change what_changed(const Study& before, const Study& after,
+                    const std::function<void(double)>& progress = {});
+
+/// The answer of a check after maintenance.
+enum class Check { same = 0, changed = 1, cannot_tell = 2 };
+/// It cannot tell where a change is neither probable nor improbable (0.05 to 0.95).
+Check check(const Change& change);
+
+}  // namespace plumbline::diagnose

@@ -1,0 +1,98 @@
+#include "diagnose/change/change_report.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+
+#include "diagnose/report/report.hpp"
+#include "diagnose/report/view.hpp"
+
+namespace plumbline::diagnose {
+namespace {
+
+/// Speeds of one path that differ by less are those of one drive.
+constexpr double same_rate = 0.2;
+
+std::string senses(Sense sense) {
+  return sense == Sense::added ? "there now and not before" : "there before and not now";
+}
+
+std::string probability(double value) {
+  return value > 0.999 ? "> 0.999" : value < 0.001 ? "< 0.001" : fmt::format("{:.3f}", value);
+}
+
+std::string answer(const Change& change) {
+  const Cause& cause = change.diagnosis.cause;
+  const double p = change.diagnosis.gap.probability;
+  if (!change.diagnosis.gap.present)
+    return fmt::format("{}: the two differ by noise (probability of a change {})\n",
+                       check(change) == Check::same ? "No change" : "No change is sure", probability(p));
+  if (!cause.is_explained())
+    return fmt::format("Changed (probability {}), by a cause outside the catalogue\n", probability(p));
+  const std::string words = in_words(cause.ranking.front().cause) + ", " + senses(change.sense);
+  const std::size_t others = cause.named - 1 + (cause.or_unknown ? 1 : 0) + (change.otherwise ? 1 : 0);
+  const char* const verdict = cause.verdict == CauseVerdict::partial     ? "Changed, mostly by"
+                              : cause.verdict == CauseVerdict::ambiguous ? "Changed, ambiguous"
+                                                                         : "Changed";
+  return fmt::format("{}: {}{}\n", verdict, words,
+                     others == 0   ? ""
+                     : others == 1 ? ", or the alternative below"
+                                   : fmt::format(", or one of {} alternatives below", others)) +
+         values_as_text(change.diagnosis);
+}
+
+std::string compared(const PairedRun& run) {
+  if (run.reference.empty())
+    return fmt::format("  {}: no run of the other state took this path; repeat it there\n", run.run);
+  std::string text = fmt::format("  {}: {} of {} readings", run.run, run.paired, run.of);
+  if (run.reference != std::vector{run.run})
+    text += fmt::format(", against {}", fmt::join(run.reference, ", "));
+  if (std::isfinite(run.rate) && std::abs(std::log(run.rate)) > same_rate)
+    text += fmt::format(
+        "; {:.2g} times as fast, which is no change of the device but shows in effects of time", run.rate);
+  return text + "\n";
+}
+
+nlohmann::ordered_json as_json(const PairedRun& run) {
+  nlohmann::ordered_json json = {
+      {"run", run.run}, {"reference", run.reference}, {"paired", run.paired}, {"of", run.of}};
+  json["rate"] = std::isfinite(run.rate) ? nlohmann::ordered_json(run.rate) : nlohmann::ordered_json();
+  return json;
+}
+
+const char* check_word(Check check) {
+  return check == Check::same ? "same" : check == Check::changed ? "changed" : "cannot_tell";
+}
+
+}  // namespace
+
+std::string as_text(const Change& change) {
+  std::string text = fmt::format("{} against {}\n\n{}", change.after, change.before, answer(change));
+  if (change.otherwise)
+    text += fmt::format("  or {}, {}\n", in_words(change.otherwise->cause),
+                        senses(change.sense == Sense::added ? Sense::removed : Sense::added));
+  text += "\nCompared at the same commands\n";
+  for (const PairedRun& run : change.runs) text += compared(run);
+  text += fmt::format("\nBelow, the nominal model is the device as it was {}, and the gap is the change.\n\n",
+                      change.sense == Sense::added ? "before" : "after");
+  return text + questions_as_text(change.diagnosis);
+}
+
+nlohmann::ordered_json as_json(const Change& change) {
+  nlohmann::ordered_json report = as_json(change.diagnosis);
+  nlohmann::ordered_json runs = nlohmann::ordered_json::array(), otherwise;
+  for (const PairedRun& run : change.runs) runs.push_back(as_json(run));
+  if (change.otherwise)
+    for (const EffectAt& at : change.otherwise->cause.effects) otherwise.push_back(at.label());
+  report["against"] = {{"before", change.before},
+                       {"after", change.after},
+                       {"check", check_word(check(change))},
+                       {"sense", change.sense == Sense::added ? "added" : "removed"},
+                       {"sense_probability", change.sense_probability},
+                       {"otherwise", otherwise},
+                       {"runs", runs}};
+  return report;
+}
+
+}  // namespace plumbline::diagnose

@@ -1,0 +1,37 @@
+#pragma once
+/// \file
+/// Two data sets of one device, and the readings of one of them relative to the other.
+
+#include <string>
+#include <vector>
+
+#include "diagnose/inference/study.hpp"
+
+namespace plumbline::diagnose {
+
+/// A run of one state, held against the state of reference.
+struct PairedRun {
+  std::string run;
+  std::vector<std::string> reference;  ///< runs that were there before; empty where none was
+  std::size_t paired, of;              ///< readings with a counterpart, and all with measured values
+  double rate;  ///< speed along the path over that of the reference; NaN without a clock in both
+};
+
+/// Share of the range of each command within which two commands are the same. What a model lacks varies with
+/// the command over its whole range, so that of two places so near it is the same to about this share.
+inline constexpr double same_command = 0.02;
+
+/// The readings of a state, less what the nominal model lacks of the reference at the same command and on the
+/// same way there: y - (y' - f'). A model's lack that both states share cancels in them, and what remains is
+/// noise and what changed. The declared noise is that of the difference. A reading of the reference counts
+/// once, and a reading without a counterpart has no measured value any more.
+struct RelativeReadings {
+  Experiment experiment;
+  std::vector<PairedRun> runs;
+};
+
+/// \param reference  the other state of the same device, with the same nominal model
+/// \throws Error where the nominal models differ, or where too few readings have a counterpart to be judged
+RelativeReadings relative_to(const Study& reference, const Experiment& state);
+
+}  // namespace plumbline::diagnose
