@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "diagnose/exchange/corrected.hpp"
 #include "diagnose/priors.hpp"
 
 namespace plumbline::diagnose {
@@ -13,11 +14,27 @@ struct Side {
   Diagnosis diagnosis;
 };
 
-Side side(const Study& reference, const Study& state, const std::function<void(double)>& progress) {
-  RelativeReadings relative = relative_to(reference, state.experiment());
+/// The same readings with a nominal model that has what a diagnosis of them found, or a free law in its
+/// place.
+Study corrected(const Study& study, const std::function<void(double)>& progress) {
+  const std::vector<exchange::Corrected> models =
+      exchange::corrected_models(study, diagnose(study, progress));
+  if (models.empty()) return study;
+  Experiment experiment = study.experiment();
+  static_cast<NominalChain&>(experiment) = models.front().model.experiment;
+  Study better = study.of(std::move(experiment));
+  return better.nominal().reached ? better : study;
+}
+
+/// \param part  of the progress
+Side side(const Study& reference, const Study& state,
+          const std::function<std::function<void(double)>(int part)>& progress, int part) {
+  require_one_device(reference.experiment(), state.experiment());
+  const Study known = corrected(reference, progress(part));
+  RelativeReadings relative = relative_to(known, state.experiment());
   relative.experiment.name = state.experiment().name + " against " + reference.experiment().name;
-  Study study = state.of(relative.experiment);
-  Diagnosis diagnosis = diagnose(study, progress);
+  Study study = known.of(relative.experiment);
+  Diagnosis diagnosis = diagnose(study, progress(part + 1));
   return {std::move(relative), std::move(study), std::move(diagnosis)};
 }
 
@@ -30,12 +47,12 @@ std::vector<std::string> labels(const Candidate& cause) {
 }  // namespace
 
 Change what_changed(const Study& before, const Study& after, const std::function<void(double)>& progress) {
-  const auto half = [&](double done) {
-    return [&progress, done](double share) {
-      if (progress) progress(done + share / 2);
+  const auto quarter = [&](int part) -> std::function<void(double)> {
+    return [&progress, part](double share) {
+      if (progress) progress((part + share) / 4);
     };
   };
-  Side added = side(before, after, half(0)), removed = side(after, before, half(0.5));
+  Side added = side(before, after, quarter, 0), removed = side(after, before, quarter, 2);
   const double log_odds = added.diagnosis.gap.log_odds - removed.diagnosis.gap.log_odds;
   const Sense sense = log_odds >= 0 ? Sense::added : Sense::removed;
   Side &best = sense == Sense::added ? added : removed, &other = sense == Sense::added ? removed : added;

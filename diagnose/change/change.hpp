@@ -24,9 +24,10 @@ struct Change {
   std::optional<RankedCause> otherwise;
 };
 
-/// What changed from `before` to `after`. Either state is diagnosed relative to the other, for an effect that
-/// one row of the catalogue describes can only be there or not: the sense is that of the larger evidence over
-/// no change at all.
+/// What changed from `before` to `after`. Either state is diagnosed relative to the other, for an effect of
+/// the catalogue can come and go, and a row describes that it is there: the sense is that of the larger
+/// evidence over no change at all. The state of reference has the best model that its own readings give, so
+/// that what changed acts on a device as it is; what that model lacks cancels.
 /// \param progress  called now and then with the share of the work that is done
 /// \throws Error as relative_to and diagnose do
 Change what_changed(const Study& before, const Study& after,

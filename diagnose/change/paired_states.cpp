@@ -184,14 +184,6 @@ class Pairing {
   std::set<std::pair<std::size_t, std::size_t>> used_;  ///< run and reading
 };
 
-void require_one_device(const Experiment& a, const Experiment& b) {
-  if (a.link_length == b.link_length && a.joint_stiffness == b.joint_stiffness &&
-      a.link_mass == b.link_mass && a.gravity == b.gravity && a.effects == b.effects &&
-      (a.arm == nullptr) == (b.arm == nullptr))
-    return;
-  throw Error("--against", "experiments with different nominal models", "one device, with one nominal model");
-}
-
 /// Declared noise of a difference. Readings of a decimated run scatter less.
 Noise of_difference(const Experiment& state, const Experiment& reference) {
   const auto group = [](const Experiment& one) {
@@ -209,9 +201,17 @@ Noise of_difference(const Experiment& state, const Experiment& reference) {
 
 }  // namespace
 
+void require_one_device(const Experiment& a, const Experiment& b) {
+  if (a.link_length == b.link_length && a.joint_stiffness == b.joint_stiffness &&
+      a.link_mass == b.link_mass && a.gravity == b.gravity && a.effects == b.effects &&
+      (a.arm == nullptr) == (b.arm == nullptr))
+    return;
+  throw Error("--against", "experiments with different nominal models", "one device, with one nominal model");
+}
+
 RelativeReadings relative_to(const Study& reference, const Experiment& state) {
-  require_one_device(reference.experiment(), state);
   RelativeReadings result{state, {}};
+  static_cast<NominalChain&>(result.experiment) = reference.experiment();
   Pairing pairing(reference, state);
   std::size_t paired = 0;
   for (Run& run : result.experiment.runs) {

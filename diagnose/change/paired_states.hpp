@@ -30,8 +30,11 @@ struct RelativeReadings {
   std::vector<PairedRun> runs;
 };
 
-/// \param reference  the other state of the same device, with the same nominal model
-/// \throws Error where the nominal models differ, or where too few readings have a counterpart to be judged
+/// \throws Error where the nominal models of two states differ
+void require_one_device(const Experiment& one, const Experiment& other);
+
+/// \param reference  the other state of the same device, and the nominal model of the readings
+/// \throws Error where too few readings have a counterpart to be judged
 RelativeReadings relative_to(const Study& reference, const Experiment& state);
 
 }  // namespace plumbline::diagnose
