@@ -163,7 +163,9 @@ def reports(folder):
     assert bundled["cause"]["verdict"] == "identified"
     edited = written("diagnose", "no-gap", "--model", "no-gap.xml", "--corrected", "edited.xml", folder=folder)
     arm = written("diagnose", str(SCHEMAS.parent / "examples" / "arm"), folder=folder)
-    hold("gap-diagnosis", [*verdicts.values(), on_its_side, rough, partly, humming, slip, bundled, edited, arm])
+    greased = SCHEMAS.parent / "examples" / "greased-joint"
+    changed = written("diagnose", str(greased / "greased"), "--against", str(greased / "dry"), folder=folder)
+    hold("gap-diagnosis", [changed, *verdicts.values(), on_its_side, rough, partly, humming, slip, bundled, edited, arm])
 
 
 def trial(folder):
