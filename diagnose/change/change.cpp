@@ -38,10 +38,10 @@ Side side(const Study& reference, const Study& state,
   return {std::move(relative), std::move(study), std::move(diagnosis)};
 }
 
-std::vector<std::string> labels(const Candidate& cause) {
-  std::vector<std::string> all;
-  for (const EffectAt& at : cause.effects) all.push_back(at.label());
-  return all;
+/// Whether both senses have one most probable cause.
+bool same_cause(const Diagnosis& one, const Diagnosis& other) {
+  return one.cause.is_explained() && other.cause.is_explained() &&
+         one.cause.ranking.front().cause == other.cause.ranking.front().cause;
 }
 
 }  // namespace
@@ -54,8 +54,10 @@ Change what_changed(const Study& before, const Study& after, const std::function
   };
   Side added = side(before, after, quarter, 0), removed = side(after, before, quarter, 2);
   const double log_odds = added.diagnosis.gap.log_odds - removed.diagnosis.gap.log_odds;
-  const Sense sense = log_odds >= 0 ? Sense::added : Sense::removed;
-  Side &best = sense == Sense::added ? added : removed, &other = sense == Sense::added ? removed : added;
+  const bool same = same_cause(added.diagnosis, removed.diagnosis);
+  const bool either = same && std::abs(log_odds) < std::log(priors::wrong_over_further_name);
+  const Sense sense = either ? Sense::either : log_odds >= 0 ? Sense::added : Sense::removed;
+  Side &best = sense == Sense::removed ? removed : added, &other = sense == Sense::removed ? added : removed;
   const double probability = 1 / (1 + std::exp(-std::abs(log_odds)));
   Change change{before.experiment().name,
                 after.experiment().name,
@@ -65,15 +67,13 @@ Change what_changed(const Study& before, const Study& after, const std::function
                 std::move(best.diagnosis),
                 std::move(best.relative.runs),
                 std::nullopt};
+  Cause& cause = change.diagnosis.cause;
   const std::vector<RankedCause>& ranking = other.diagnosis.cause.ranking;
-  if (!change.diagnosis.gap.present || ranking.empty() || change.diagnosis.cause.ranking.empty())
-    return change;
-  if ((1 - probability) * ranking.front().probability * priors::wrong_over_further_name < 1 ||
-      labels(ranking.front().cause) == labels(change.diagnosis.cause.ranking.front().cause))
+  if (same || !cause.is_explained() || ranking.empty() ||
+      (1 - probability) * ranking.front().probability * priors::wrong_over_further_name < 1)
     return change;
   change.otherwise = ranking.front();
-  if (change.diagnosis.cause.verdict == CauseVerdict::identified)
-    change.diagnosis.cause.verdict = CauseVerdict::ambiguous;
+  if (cause.verdict == CauseVerdict::identified) cause.verdict = CauseVerdict::ambiguous;
   return change;
 }
 

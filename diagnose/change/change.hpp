@@ -10,13 +10,14 @@
 
 namespace plumbline::diagnose {
 
-/// An effect that is there now and was not, or the reverse.
-enum class Sense { added, removed };
+/// An effect is there now and was not, or the reverse; or its parameters tell the sense by their signs, and
+/// are those of the later state relative to the earlier.
+enum class Sense { added, removed, either };
 
 struct Change {
   std::string before, after;    ///< names of the two experiments
   Sense sense;                  ///< of what the diagnosis names
-  double sense_probability;     ///< of this sense over the other
+  double sense_probability;     ///< of the likelier of added and removed
   Study study;                  ///< one state relative to the other
   Diagnosis diagnosis;          ///< of that: its gap is the change
   std::vector<PairedRun> runs;  ///< of the state that is diagnosed

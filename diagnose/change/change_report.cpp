@@ -14,8 +14,15 @@ namespace {
 /// Speeds of one path that differ by less are those of one drive.
 constexpr double same_rate = 0.2;
 
+/// ", there now and not before"; nothing where signs tell.
 std::string senses(Sense sense) {
-  return sense == Sense::added ? "there now and not before" : "there before and not now";
+  if (sense == Sense::either) return "";
+  return sense == Sense::added ? ", there now and not before" : ", there before and not now";
+}
+
+const char* sense_word(Sense sense) {
+  if (sense == Sense::either) return "either";
+  return sense == Sense::added ? "added" : "removed";
 }
 
 std::string probability(double value) {
@@ -30,7 +37,7 @@ std::string answer(const Change& change) {
                        check(change) == Check::same ? "No change" : "No change is sure", probability(p));
   if (!cause.is_explained())
     return fmt::format("Changed (probability {}), by a cause outside the catalogue\n", probability(p));
-  const std::string words = in_words(cause.ranking.front().cause) + ", " + senses(change.sense);
+  const std::string words = in_words(cause.ranking.front().cause) + senses(change.sense);
   const std::size_t others = cause.named - 1 + (cause.or_unknown ? 1 : 0) + (change.otherwise ? 1 : 0);
   const char* const verdict = cause.verdict == CauseVerdict::partial     ? "Changed, mostly by"
                               : cause.verdict == CauseVerdict::ambiguous ? "Changed, ambiguous"
@@ -70,12 +77,12 @@ const char* check_word(Check check) {
 std::string as_text(const Change& change) {
   std::string text = fmt::format("{} against {}\n\n{}", change.after, change.before, answer(change));
   if (change.otherwise)
-    text += fmt::format("  or {}, {}\n", in_words(change.otherwise->cause),
-                        senses(change.sense == Sense::added ? Sense::removed : Sense::added));
+    text += fmt::format("  or {}{}\n", in_words(change.otherwise->cause),
+                        senses(change.sense == Sense::removed ? Sense::added : Sense::removed));
   text += "\nCompared at the same commands\n";
   for (const PairedRun& run : change.runs) text += compared(run);
   text += fmt::format("\nBelow, the nominal model is the device as it was {}, and the gap is the change.\n\n",
-                      change.sense == Sense::added ? "before" : "after");
+                      change.sense == Sense::removed ? "after" : "before");
   return text + questions_as_text(change.diagnosis);
 }
 
@@ -88,7 +95,7 @@ nlohmann::ordered_json as_json(const Change& change) {
   report["against"] = {{"before", change.before},
                        {"after", change.after},
                        {"check", check_word(check(change))},
-                       {"sense", change.sense == Sense::added ? "added" : "removed"},
+                       {"sense", sense_word(change.sense)},
                        {"sense_probability", change.sense_probability},
                        {"otherwise", otherwise},
                        {"runs", runs}};

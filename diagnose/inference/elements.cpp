@@ -84,6 +84,8 @@ InitialGuesses initial_guesses_of_order(const Study& study, const Hypothesis& fi
   const std::vector<EffectAt>& effects = fitted.candidate.effects;
   const std::vector<ParameterRange> own = study.ranges(effects[effect]),
                                     ranges = study.ranges(EffectAt(row, effects[effect].joint));
+  if (ranges.size() + row.element_size != own.size() && own.size() + row.element_size != ranges.size())
+    return {{}, 0};
   std::size_t first = 0;
   for (std::size_t e = 0; e < effect; ++e) first += study.ranges(effects[e]).size();
   const auto begin = fitted.parameters.begin() + static_cast<std::ptrdiff_t>(first),

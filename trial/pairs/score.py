@@ -48,7 +48,7 @@ def answer(label, said, sense=None):
         return "in the class" if ["unknown"] in listed or cause["verdict"] == "partial" else "wrong, sure" if cause["verdict"] == "identified" else "wrong, hedged"
     accepted = [truth] + [keys(one) for one in label["equivalent"]]
     listed = [keys(cause["effects"])] + [keys(one) for one in cause["equivalent"]]
-    way = sense is None or said["against"]["sense"] == sense
+    way = sense is None or said["against"]["sense"] in (sense, "either")
     if said.get("against", {}).get("otherwise"):
         listed.append(keys(said["against"]["otherwise"]))
     found = any(one in accepted for one in listed) and way

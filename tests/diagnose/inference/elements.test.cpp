@@ -85,6 +85,13 @@ TEST_CASE("elements that yield together are one of their strengths together") {
   }
 }
 
+TEST_CASE("a form that is two elements away, or none, gives no place to start") {
+  const Study study(test::full_bench());
+  const Hypothesis fitted = standing_at({{hysteresis(3)}}, {0.2, 0.4, 0.3, 0.1, 0.6, 0.2});
+  for (const std::size_t elements : {1, 3, 5})
+    CHECK(initial_guesses_of_order(study, fitted, 0, *hysteresis(elements).effect).points.empty());
+}
+
 TEST_CASE("a step to one element fewer joins two neighbours, and leaves what stands beside alone") {
   const Study study(test::full_bench());
   const Hypothesis fitted =
