@@ -1,7 +1,6 @@
 #include "diagnose/change/change_report.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <cmath>
 
@@ -53,8 +52,7 @@ std::string compared(const PairedRun& run) {
   if (run.reference.empty())
     return fmt::format("  {}: no run of the other state took this path; repeat it there\n", run.run);
   std::string text = fmt::format("  {}: {} of {} readings", run.run, run.paired, run.of);
-  if (run.reference != std::vector{run.run})
-    text += fmt::format(", against {}", fmt::join(run.reference, ", "));
+  if (run.reference != run.run) text += ", against " + run.reference;
   if (std::isfinite(run.rate) && std::abs(std::log(run.rate)) > same_rate)
     text += fmt::format(
         "; {:.2g} times as fast, which is no change of the device but shows in effects of time", run.rate);

@@ -14,7 +14,7 @@ namespace plumbline::diagnose {
 namespace {
 
 /// A step of the command by more than this share of its range leads to a place of its own, not along a path.
-constexpr double longest_step = 0.1;
+constexpr double longest_step = 0.25;
 
 /// Everything that is imposed at a reading.
 VectorXd imposed(const Run& run, const Reading& reading) {
@@ -52,21 +52,26 @@ Ranges ranges(const std::vector<const Experiment*>& states) {
   return (high - low).unaryExpr([](double range) { return range > 0 ? range : 1; });
 }
 
+/// Jitter within what counts as one command is no turning point.
 Path path(const Run& run, const Ranges& range) {
   Path one;
-  const std::vector<bool> turns = run.turning_points();
+  VectorXd corner, direction;
   std::size_t sweep = 0;
-  for (std::size_t i = 0; i < run.readings.size(); ++i) {
-    one.place.push_back(imposed(run, run.readings[i]).cwiseQuotient(range));
+  for (const Reading& reading : run.readings) {
+    const VectorXd& place = one.place.emplace_back(imposed(run, reading).cwiseQuotient(range));
+    if (corner.size() == 0) corner = place;
+    if (const VectorXd step = place - corner; step.norm() > same_command) {
+      sweep += direction.size() > 0 && step.dot(direction) < 0 ? 1 : 0;
+      corner = place, direction = step;
+    }
     one.sweep.push_back(sweep);
-    sweep += turns[i] ? 1 : 0;
   }
   return one;
 }
 
 /// A place between two readings of a run of the reference.
 struct Counterpart {
-  std::size_t run, before, after;
+  std::size_t before, after;
   double share;     ///< of the way from the one to the other
   double distance;  ///< from it, over the ranges of the commands
 };
@@ -76,34 +81,34 @@ Counterpart projected(const VectorXd& place, const VectorXd& from, const VectorX
   const VectorXd way = to - from;
   const double length = way.squaredNorm();
   const double share = length > 0 ? std::clamp((place - from).dot(way) / length, 0.0, 1.0) : 0;
-  return {0, 0, 0, share, (place - from - share * way).norm()};
+  return {0, 0, share, (place - from - share * way).norm()};
 }
 
-/// The nearest place of a run, on the same sweep; or a place of its own, however it was reached.
-Counterpart nearest(const Path& state, std::size_t i, const Path& reference, std::size_t run) {
-  Counterpart best{run, 0, 0, 0, std::numeric_limits<double>::infinity()};
-  const bool own_place = i == 0 || (state.place[i] - state.place[i - 1]).norm() > longest_step;
+/// The nearest place of a run on a sweep, or on any.
+Counterpart nearest(const VectorXd& place, const Path& reference, std::optional<std::size_t> sweep) {
+  Counterpart best{0, 0, 0, std::numeric_limits<double>::infinity()};
+  const auto is_there = [&](std::size_t k) { return !sweep || reference.sweep[k] == *sweep; };
   for (std::size_t k = 0; k < reference.place.size(); ++k) {
-    const double here = (state.place[i] - reference.place[k]).norm();
-    if ((own_place || reference.sweep[k] == state.sweep[i]) && here < best.distance)
-      best = {run, k, k, 0, here};
-    if (k == 0 || own_place || reference.sweep[k] != state.sweep[i]) continue;
-    Counterpart one = projected(state.place[i], reference.place[k - 1], reference.place[k]);
+    if (!is_there(k)) continue;
+    if (const double here = (place - reference.place[k]).norm(); here < best.distance) best = {k, k, 0, here};
+    if (!sweep || k == 0 || !is_there(k - 1)) continue;
+    Counterpart one = projected(place, reference.place[k - 1], reference.place[k]);
     if (one.distance >= best.distance) continue;
-    one.run = run, one.before = k - 1, one.after = k;
+    one.before = k - 1, one.after = k;
     best = one;
   }
   return best;
 }
 
-/// The run of the same name first, then the others in their order.
-std::vector<std::size_t> candidates(const Experiment& reference, const Run& run) {
-  std::vector<std::size_t> all;
-  for (std::size_t r = 0; r < reference.runs.size(); ++r)
-    if (reference.runs[r].control == run.control) all.push_back(r);
-  std::stable_partition(all.begin(), all.end(),
-                        [&](std::size_t r) { return reference.runs[r].id == run.id; });
-  return all;
+/// On the same sweep; or, of a place of its own, however it was reached.
+Counterpart counterpart(const Path& state, std::size_t i, const Path& reference) {
+  const Counterpart best = nearest(state.place[i], reference, state.sweep[i]);
+  const bool own_place = i == 0 || (state.place[i] - state.place[i - 1]).norm() > longest_step;
+  return best.distance > same_command && own_place ? nearest(state.place[i], reference, {}) : best;
+}
+
+bool is_read(const Reading& reading, const std::vector<Channel>& measured) {
+  return std::ranges::any_of(measured, [&](const Channel& c) { return std::isfinite(c.of(reading)); });
 }
 
 class Pairing {
@@ -113,52 +118,90 @@ class Pairing {
     for (const Run& run : reference.experiment().runs) paths_.push_back(path(run, range_));
   }
 
-  /// Replaces the measured values of a run.
-  PairedRun relative(Run& run) {
+  /// Replaces the measured values of runs, each by those of one run of the reference: that of its name, or
+  /// else the one left that was at the most of its commands.
+  std::vector<PairedRun> relative(std::vector<Run>& runs) {
+    std::vector<std::optional<std::size_t>> partner;
+    for (const Run& run : runs) partner.push_back(namesake(run));
+    for (const auto& one : partner)
+      if (one) taken_.insert(*one);
+    std::vector<PairedRun> result;
+    for (std::size_t r = 0; r < runs.size(); ++r) {
+      if (!partner[r]) partner[r] = likeliest(runs[r]);
+      if (partner[r]) taken_.insert(*partner[r]);
+      result.push_back(relative(runs[r], partner[r]));
+    }
+    return result;
+  }
+
+ private:
+  using Counterparts = std::vector<std::optional<Counterpart>>;
+
+  [[nodiscard]] std::optional<std::size_t> namesake(const Run& run) const {
+    const std::vector<Run>& all = reference_.experiment().runs;
+    for (std::size_t r = 0; r < all.size(); ++r)
+      if (all[r].id == run.id && all[r].control == run.control) return r;
+    return std::nullopt;
+  }
+
+  [[nodiscard]] std::optional<std::size_t> likeliest(const Run& run) const {
+    const std::vector<Run>& all = reference_.experiment().runs;
+    std::optional<std::size_t> best;
+    std::ptrdiff_t most = 0;
+    for (std::size_t r = 0; r < all.size(); ++r) {
+      if (all[r].control != run.control || taken_.contains(r)) continue;
+      const Counterparts there = counterparts(run, r);
+      const std::ptrdiff_t count =
+          std::ranges::count_if(there, [](const auto& one) { return one.has_value(); });
+      if (count > most) most = count, best = r;
+    }
+    return best;
+  }
+
+  /// By reading with measured values: where the reference was at its command. A reading of the reference
+  /// counts once.
+  [[nodiscard]] Counterparts counterparts(const Run& run, std::size_t reference) const {
     const Path way = path(run, range_);
-    const std::vector<std::size_t> among = candidates(reference_.experiment(), run);
-    PairedRun result{run.id, {}, 0, 0, std::nan("")};
     const std::vector<Channel> measured = run.measured();
+    std::set<std::size_t> used;
+    Counterparts all(run.readings.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (!is_read(run.readings[i], measured)) continue;
+      const Counterpart one = counterpart(way, i, paths_[reference]);
+      if (one.distance <= same_command && used.insert(one.share < 0.5 ? one.before : one.after).second)
+        all[i] = one;
+    }
+    return all;
+  }
+
+  PairedRun relative(Run& run, std::optional<std::size_t> reference) const {
+    const std::vector<Channel> measured = run.measured();
+    const Counterparts there = reference ? counterparts(run, *reference) : Counterparts(run.readings.size());
+    PairedRun result{run.id, reference ? reference_.experiment().runs[*reference].id : "", 0, 0,
+                     std::nan("")};
     std::vector<double> rates;
-    std::optional<std::pair<std::size_t, Counterpart>> last;
+    std::optional<std::size_t> last;
     for (std::size_t i = 0; i < run.readings.size(); ++i) {
-      Reading& reading = run.readings[i];
-      if (std::ranges::none_of(measured, [&](const Channel& c) { return std::isfinite(c.of(reading)); }))
-        continue;
+      if (!is_read(run.readings[i], measured)) continue;
       ++result.of;
-      const std::optional<Counterpart> there = counterpart(way, i, among);
       for (const Channel& channel : measured)
-        channel.in(reading) -= there ? lack(*there, channel) : std::nan("");
-      if (!there) continue;
+        channel.in(run.readings[i]) -= there[i] ? lack(*reference, *there[i], channel) : std::nan("");
+      if (!there[i]) continue;
       ++result.paired;
-      if (last && last->second.run == there->run)
-        rates.push_back(rate(run, last->first, i, last->second, *there));
-      last = {i, *there};
-      const std::string& name = reference_.experiment().runs[there->run].id;
-      if (std::ranges::find(result.reference, name) == result.reference.end())
-        result.reference.push_back(name);
+      if (last)
+        rates.push_back(
+            rate(run, reference_.experiment().runs[*reference], {*last, i}, {*there[*last], *there[i]}));
+      last = i;
     }
     std::erase_if(rates, [](double one) { return !std::isfinite(one) || one <= 0; });
     if (!rates.empty()) result.rate = median(std::move(rates));
     return result;
   }
 
- private:
-  /// The first run that was there at this command, at a reading that has not counted yet.
-  std::optional<Counterpart> counterpart(const Path& way, std::size_t i,
-                                         const std::vector<std::size_t>& among) {
-    for (const std::size_t r : among) {
-      const Counterpart one = nearest(way, i, paths_[r], r);
-      if (one.distance > same_command) continue;
-      if (used_.emplace(r, one.share < 0.5 ? one.before : one.after).second) return one;
-    }
-    return std::nullopt;
-  }
-
   /// What the nominal model lacks of the reference.
-  [[nodiscard]] double lack(const Counterpart& at, const Channel& channel) const {
-    const std::vector<Reading>& readings = reference_.experiment().runs[at.run].readings;
-    const Trace& predicted = reference_.nominal().runs[at.run];
+  [[nodiscard]] double lack(std::size_t run, const Counterpart& at, const Channel& channel) const {
+    const std::vector<Reading>& readings = reference_.experiment().runs[run].readings;
+    const Trace& predicted = reference_.nominal().runs[run];
     const auto residual = [&](std::size_t k) {
       return channel.of(readings[k]) - predicted(static_cast<Eigen::Index>(k), channel.column);
     };
@@ -168,20 +211,21 @@ class Pairing {
   }
 
   /// Speed between two readings over that between their counterparts; the way is the same.
-  [[nodiscard]] double rate(const Run& run, std::size_t from, std::size_t to, const Counterpart& first,
-                            const Counterpart& second) const {
-    const Run& other = reference_.experiment().runs[first.run];
+  [[nodiscard]] static double rate(const Run& run, const Run& other,
+                                   std::pair<std::size_t, std::size_t> readings,
+                                   const std::pair<Counterpart, Counterpart>& there) {
     if (run.counts_readings() || other.counts_readings()) return std::nan("");
     const auto when = [&](const Counterpart& at) {
       return (1 - at.share) * other.readings[at.before].t + at.share * other.readings[at.after].t;
     };
-    return (when(second) - when(first)) / (run.readings[to].t - run.readings[from].t);
+    return (when(there.second) - when(there.first)) /
+           (run.readings[readings.second].t - run.readings[readings.first].t);
   }
 
   const Study& reference_;
   Ranges range_;
   std::vector<Path> paths_;
-  std::set<std::pair<std::size_t, std::size_t>> used_;  ///< run and reading
+  std::set<std::size_t> taken_;  ///< runs of the reference
 };
 
 /// Declared noise of a difference. Readings of a decimated run scatter less.
@@ -212,20 +256,17 @@ void require_one_device(const Experiment& a, const Experiment& b) {
 RelativeReadings relative_to(const Study& reference, const Experiment& state) {
   RelativeReadings result{state, {}};
   static_cast<NominalChain&>(result.experiment) = reference.experiment();
-  Pairing pairing(reference, state);
+  std::vector<Run>& runs = result.experiment.runs;
+  result.runs = Pairing(reference, state).relative(runs);
   std::size_t paired = 0;
-  for (Run& run : result.experiment.runs) {
-    result.runs.push_back(pairing.relative(run));
-    paired += result.runs.back().paired;
-  }
+  for (const PairedRun& run : result.runs) paired += run.paired;
   constexpr std::size_t fewest = 5;  // as many as a diagnosis needs
   if (paired < fewest)
     throw Error("--against", fmt::format("{} readings at commands that the other state has too", paired),
                 fmt::format("at least {}: repeat the runs of one state in the other", fewest));
-  std::erase_if(result.experiment.runs, [&](const Run& run) {
-    return std::ranges::none_of(run.readings, [&](const Reading& one) {
-      return std::ranges::any_of(run.measured(), [&](const Channel& c) { return std::isfinite(c.of(one)); });
-    });
+  std::erase_if(runs, [](const Run& run) {
+    const std::vector<Channel> measured = run.measured();
+    return std::ranges::none_of(run.readings, [&](const Reading& one) { return is_read(one, measured); });
   });
   result.experiment.noise = of_difference(state, reference.experiment());
   return result;

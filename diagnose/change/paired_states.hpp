@@ -12,9 +12,9 @@ namespace plumbline::diagnose {
 /// A run of one state, held against the state of reference.
 struct PairedRun {
   std::string run;
-  std::vector<std::string> reference;  ///< runs that were there before; empty where none was
-  std::size_t paired, of;              ///< readings with a counterpart, and all with measured values
-  double rate;  ///< speed along the path over that of the reference; NaN without a clock in both
+  std::string reference;   ///< the run that was there before; empty where none was
+  std::size_t paired, of;  ///< readings with a counterpart, and all with measured values
+  double rate;             ///< speed along the path over that of the reference; NaN without a clock in both
 };
 
 /// Share of the range of each command within which two commands are the same. What a model lacks varies with
