@@ -176,6 +176,7 @@ Posterior posterior(const Study& study, const Findings& findings) {
       causes.try_emplace(labels, CauseProbability{labels, 0, gaps[i].hypothesis}).first->second.probability +=
           p;
   }
+  for (auto& [label, probability] : result.effects) probability = std::min(1.0, probability);  // likewise
   for (auto& [labels, cause] : causes) {
     cause.probability = std::min(1.0, cause.probability);  // but for rounding
     result.causes.push_back(std::move(cause));

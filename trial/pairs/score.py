@@ -17,8 +17,17 @@ import tempfile
 ANSWERS = ("right", "in the class", "unknown", "missed", "wrong, hedged", "wrong, sure", "false alarm", "no report")
 
 
+# Ids of trial/benches that the catalogue calls otherwise now.
+RENAMED = {"load_zero": "force_bias", "load_gain": "force_gain", "load_drift": "sensor_drift", "load_lag": "sensor_lag"}
+
+
+def named(text):
+    id, bracket, joint = text.partition("(")
+    return RENAMED.get(id, id) + bracket + joint
+
+
 def key(effect):
-    return effect["id"] + (f"({effect['joint']})" if effect.get("joint") else "")
+    return named(effect["id"] + (f"({effect['joint']})" if effect.get("joint") else ""))
 
 
 def report(plumbline, out, *words):
@@ -28,7 +37,7 @@ def report(plumbline, out, *words):
 
 
 def keys(effects):
-    return sorted(e if isinstance(e, str) else key(e) for e in effects)
+    return sorted(named(e) if isinstance(e, str) else key(e) for e in effects)
 
 
 def answer(label, said, sense=None):
@@ -66,12 +75,12 @@ def single(label, said, lack):
     cause = said["cause"]
     if cause["verdict"] in ("none", "unknown"):
         return "missed" if cause["verdict"] == "none" else "unknown"
-    named = [e.split("(")[0] for e in keys(cause["effects"])]
-    wanted = [e["id"] for e in label["effects"]]
-    if wanted and all(one in named for one in wanted):
+    said_ids = [e.split("(")[0] for e in keys(cause["effects"])]
+    wanted = [named(e["id"]) for e in label["effects"]]
+    if wanted and all(one in said_ids for one in wanted):
         return "right" if cause["verdict"] == "identified" else "in the class"
     if not wanted:
-        return "right" if lack in named else "false alarm"
+        return "right" if named(lack) in said_ids else "false alarm"
     return "wrong, sure" if cause["verdict"] == "identified" else "wrong, hedged"
 
 
