@@ -42,6 +42,7 @@ class CMakeTargets(build_ext):
 
 setup(
     version=re.search(r"project\(plumbline VERSION (\S+)", (ROOT / "CMakeLists.txt").read_text())[1],
+    license="BSL-1.0",  # its SPDX name; setuptools before 77 takes no name from pyproject.toml, and later ones refuse a file
     ext_modules=[Extension("plumbline._engine", [])],
     cmdclass={"build_ext": CMakeTargets},
     options={"build": {"build_base": "build-python/wheel"}},

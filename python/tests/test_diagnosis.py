@@ -56,6 +56,11 @@ def test_the_page_stands_in_a_frame(diagnosis):
     assert frame.startswith("<iframe srcdoc=") and frame.count("<") == 2  # itself and its end: all else is escaped
 
 
+def test_a_curve_is_told_in_a_line(diagnosis):
+    first = diagnosis.curves()[0]
+    assert repr(first) == f"<plumbline.Curve {first.channel} ({first.unit}) of run {first.run!r}: {len(first.measured)} readings>"
+
+
 def test_curves_hold_what_was_measured_and_the_corrected_model_is_nearer(diagnosis):
     curves = diagnosis.curves()
     assert [(curve.run, curve.channel) for curve in curves] == [(name, force) for force in ("Fx", "Fy") for name in RESTS]

@@ -27,6 +27,7 @@ def checked(script, text, tmp_path):
 def test_every_point_of_a_path_is_in_balance():
     lengths, stiffness, rest = (np.array(part, dtype=float) for part in Z)
     path = plumbline.path(*Z, to=1.5)
+    assert repr(path).startswith("<plumbline.Path along (") and len(repr(path)) < 100
     assert len(path.branches) == 1 and path.branches[0].event_kinds == ["quasi-buckling"]
     points = path.branches[0].points
     np.testing.assert_allclose(points.end_point, end_points(lengths, points.q), atol=1e-12)
