@@ -12,7 +12,7 @@ namespace plumbline::statement {
 /// The rod that a chain stands for.
 using Beam = proofs::StatedRod;
 
-/// A chain of bars from the key `beam`, its ends being `base` and `end_point`, words here.
+/// A chain of bars from the key `beam`, its ends being those of the rod.
 /// \throws Error that names the source and the line
 Structure<Rational> read_beam(const TypedTable& table, Beam& beam);
 

@@ -42,11 +42,6 @@ void read_ends(const TypedTable& table, Structure<Rational>& structure) {
   structure.end_point = read_end(
       table, "end_point", {{"guided", guided<Rational>()}, {"free", {}}, {"clamped", clamped<Rational>()}},
       guided<Rational>());
-  const bool held_at_base = !structure.base.along.is_free();
-  if (held_at_base != structure.end_point.along.is_free())
-    throw Error(table.place(held_at_base ? "end_point" : "base"),
-                std::string(held_at_base ? "both ends" : "neither end") + " held along the chain",
-                "one of the two");
   if (!table.has("base") || table.node("base").is_table()) return;
   const std::string word = word_of(table.node("base"));
   const bool passive = structure.chain.passive_joint(0);
@@ -56,6 +51,14 @@ void read_ends(const TypedTable& table, Structure<Rational>& structure) {
   if (word == "sprung" && passive)
     throw Error(table.place("base"), "\"sprung\" without a spring at joint 1",
                 "its stiffness there, or \"pinned\"");
+}
+
+void require_one_end_along(const TypedTable& table, const Structure<Rational>& structure) {
+  const bool held_at_base = !structure.base.along.is_free();
+  if (held_at_base != structure.end_point.along.is_free())
+    throw Error(table.place(held_at_base ? "end_point" : "base"),
+                std::string(held_at_base ? "both ends" : "neither end") + " held along the chain",
+                "one of the two");
 }
 
 void read_weight(const TypedTable& load, bool multiplied, PlaneChain& chain) {
@@ -138,7 +141,8 @@ PlaneChain read_plane(const toml::table& toml, const std::string& source) {
                                 [&](std::string_view key) { return table.has(key); }),
                    is_beam ? std::optional(beam) : std::nullopt};
   Structure<Rational>& structure = chain.structure;
-  if (!is_beam) read_ends(table, structure);  // those of a beam are springs: half a bar each
+  if (!is_beam) read_ends(table, structure);
+  require_one_end_along(table, structure);
   structure.across = read_supports(table, structure.chain.size());
   if (table.has("foundation")) structure.add_foundation(table.not_negative("foundation"));
   if (is_beam && table.has("foundation")) chain.beam->bed = table.not_negative("foundation");

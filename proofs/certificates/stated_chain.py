@@ -37,6 +37,9 @@ class End:
     def holds_along(self):
         return self.along.held or self.along.spring > 0
 
+def behind_half_bar(turn, half):
+    return half if turn.held else turn.spring * half / (turn.spring + half)
+
 def numbers(entry, count):
     require(isinstance(entry, list) and len(entry) == count, "a list of another length")
     return [number(x) for x in entry]
@@ -90,20 +93,24 @@ class PlaneChain:
         require(not (word == "pinned" and self.k[0]) and not (word == "sprung" and not self.k[0]), "the word for the base")
 
     def read_beam(self, entry):
-        """Bars of equal length l: k = E I / l at a joint, twice that at a clamped end, where there is half a bar alone."""
+        """Bars of equal length l: k = E I / l at a joint; between a bar's middle and the rod's end there is half a bar, 2 E I / l,
+        in series with what holds that end against turning."""
         require(not {"lengths", "stiffness", "rest"} & set(entry), "a beam and lists")
-        beam, base, end = entry["beam"], entry.get("base", "pinned"), entry.get("end_point", "pinned")
+        beam = entry["beam"]
         fields(beam, "length links", "E I EI")
         require(("EI" in beam) != ("E" in beam and "I" in beam) and len(beam) == (3 if "EI" in beam else 4), "beam")
         EI = number(beam["EI"]) if "EI" in beam else number(beam["E"]) * number(beam["I"])
         links, length = number(beam["links"]), number(beam["length"])
         require(links.denominator == 1 and 0 < links <= 10**6 and EI > 0 < length, "beam")
-        require(base in ("pinned", "clamped") and end in ("pinned", "guided", "clamped", "free"), "ends of a beam")
         self.L = [length / links] * int(links)
         k = EI / self.L[0]
-        self.k = [2 * k if base == "clamped" else Fraction(0)] + [k] * (len(self.L) - 1)
-        self.base, self.end = End({}, {}, ("held", "held", "free")), End("free" if end == "free" else "guided", End.WORDS, ())
-        if end == "clamped": self.end.turn.add(2 * k)
+        pinned = ("held", "held", "free")
+        self.base = End(entry.get("base", "pinned"), {"pinned": pinned, "clamped": ("held", "held", "held")}, pinned)
+        self.end = End(entry.get("end_point", "pinned"), {**End.WORDS, "pinned": End.WORDS["guided"]}, End.WORDS["guided"])
+        self.k = [behind_half_bar(self.base.turn, 2 * k)] + [k] * (len(self.L) - 1)
+        self.base.turn, turn = Motion("free"), Motion("free")
+        turn.add(behind_half_bar(self.end.turn, 2 * k))
+        self.end.turn = turn
 
     def read_load(self, load):
         fields(load, "", "at force follower weight direction fixed")

@@ -29,6 +29,12 @@ TEST_CASE("the first line of critical says its case") {
        "}]\n",
        "follower force", "2.08578643762690: flutter"},
       {"beam = { EI = 1, length = 1, links = 10 }\n", "10 links", "The rod itself: 9.86960440108936,"},
+      // u tan u = 1 and pi: Timoshenko, Gere 1961, 2.3 and 2.2
+      {"beam = { EI = 1, length = 1, links = 10 }\nbase = { turn = 1 }\nend_point = \"free\"\n", "10 links",
+       "The rod itself: 0.740173884394967,"},
+      {"beam = { EI = 1, length = 1, links = 10 }\nbase = \"clamped\"\n"
+       "end_point = { across = \"free\", turn = \"held\" }\n",
+       "10 links", "The rod itself: 9.86960440108936,"},
       {"lengths = [1, 1]\njoints = [{ axes = [[0, 0, 1], [0, 1, 0]], stiffness = [1, 2] }, "
        "{ axes = [[0, 0, 1], [0, 1, 0]], stiffness = [1, 2] }]\n",
        "in space, base jointed, end point guided", "Critical factor of the loads 2.50000000000000"},

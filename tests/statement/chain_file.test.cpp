@@ -79,7 +79,7 @@ TEST_CASE("a key that is there and of another type is an error, in the plane and
       {"lengths = 1\nstiffness = [1]\n", "lengths: found 1, expected a list"},
       {"lengths = [true]\nstiffness = [1]\n", "found true, expected a decimal number"},
       {"beam = 1\n", "beam: found 1, expected a table"},
-      {"beam = { EI = 1, length = 1, links = 4 }\nbase = { turn = \"held\" }\n", "base: found"},
+      {"beam = { EI = 1, length = 1, links = 4 }\nbase = { turn = \"stiff\" }\n", "turn: found"},
   };
   for (const auto& [text, said] : cases) {
     CAPTURE(text);

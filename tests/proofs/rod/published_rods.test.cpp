@@ -174,6 +174,12 @@ const Row rows[] = {
      [] { return bent(140); }},
     {"bent cantilever, tip at 176°", "P / P_crit; x; y", "9.116; -0.577; 0.421", timoshenko,
      [] { return bent(176); }},
+    {"strut far beyond buckling, tip at 176°", "P; x - 1; y", "22.493; -1.577; 0.421", "NAFEMS NL6",
+     [] {
+       const BentCantilever shape = bent_cantilever(Interval(Rational(176, 180)) * Interval::pi());
+       return shared_digits(shape.force) + "; " + shared_digits(shape.x - Interval(1)) + "; " +
+              shared_digits(shape.y);
+     }},
 };
 
 std::vector<std::string> parts(const std::string& list) {
