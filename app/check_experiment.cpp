@@ -96,9 +96,8 @@ std::string nominal_lines(const Experiment& experiment) {
                          ? fmt::format("  link_length      {:.6g} m{}\n",
                                        fmt::join(experiment.link_length, ", "), unit("link_length"))
                          : std::string("  a joint alone\n");
-  text +=
-      fmt::format("  joint_stiffness  {:.6g} {}{}\n", fmt::join(experiment.joint_stiffness, ", "),
-                  experiment.slides(0) ? "N/m" : "N m/rad", unit("joint_stiffness"));
+  text += fmt::format("  joint_stiffness  {:.6g} {}{}\n", fmt::join(experiment.joint_stiffness, ", "),
+                      experiment.slides(0) ? "N/m" : "N m/rad", unit("joint_stiffness"));
   if (std::any_of(experiment.link_mass.begin(), experiment.link_mass.end(), [](double m) { return m > 0; }))
     text += fmt::format("  link_mass        {:.6g} kg{}\n", fmt::join(experiment.link_mass, ", "),
                         unit("link_mass"));
@@ -109,11 +108,11 @@ std::string what_was_read(const Experiment& experiment) {
   std::string text = experiment.name + "\n\nThe nominal chain\n" + nominal_lines(experiment) + "\nThe runs\n";
   for (const Run& run : experiment.runs) {
     text += fmt::format("  {}: {} imposed, {} readings{}\n", run.id,
-                        run.commands_joints()              ? "the joints' commands are"
+                        run.commands_joints()       ? "the joints' commands are"
                         : run.imposed().size() == 1 ? "the " + run.imposed().front().label() + " is"
-                        : run.holds_end_point()            ? "the end point is"
-                        : run.weights_inferred             ? "the force, assumed to be that of weights, is"
-                                                           : "the force is",
+                        : run.holds_end_point()     ? "the end point is"
+                        : run.weights_inferred      ? "the force, assumed to be that of weights, is"
+                                                    : "the force is",
                         run.readings.size(), run.turns_back() ? ", there and back" : "");
     if (!run.commands_joints())
       text += fmt::format("    rest {:.4g} {}\n", fmt::join(run.rest, ", "), experiment.joint_unit(0));

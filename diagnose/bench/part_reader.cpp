@@ -51,8 +51,8 @@ Origin PartReader::origin(std::size_t c) const {
                            : places_[c]     ? column_title(part_.table, *places_[c])
                            : is_no_force(c) ? "constant 0"
                                             : "";
-  return {column.channel, from, column.unit.name, column.unit.in_si(), column.reads,
-          column.quantity ? column.quantity->si : ""};
+  return {column.channel,      from,         column.unit.name,
+          column.unit.in_si(), column.reads, column.quantity ? column.quantity->si : ""};
 }
 
 bool PartReader::is_no_force(std::size_t c) const {

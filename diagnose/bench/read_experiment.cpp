@@ -226,7 +226,7 @@ Run read_run(const Section& section, const Shared& shared) {
   run.alone = shared.experiment.alone;
   const EndKind& end = end_kind(run.alone);
   const std::string place(end.by_place), load(end.by_load),
-                    control = section.one_of("control", {place, load, "command"});
+      control = section.one_of("control", {place, load, "command"});
   const bool commanded = control == "command";
   run.control = control == place ? Control::end_point : Control::force;
   if (commanded && section.has("rest"))

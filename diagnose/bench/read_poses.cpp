@@ -161,10 +161,10 @@ class Orientations {
     Vector3<double> vector(reading[first], reading[first + 1], reading[first + 2]);
     const Quaternion q = quaternion(point, row);
     if (vector.allFinite() && !std::isnan(q[0]))
-      throw Error(samples_.where[row],
-                  "two orientations of point '" +
-                      files::shown(experiment_.arm_bench.points[point].name) + "'",
-                  "one");
+      throw Error(
+          samples_.where[row],
+          "two orientations of point '" + files::shown(experiment_.arm_bench.points[point].name) + "'",
+          "one");
     if (vector.allFinite())
       vector = turned(nominal_frame(point, row), Eigen::Quaterniond(rotation_by(vector)));
     else if (!std::isnan(q[0]))
@@ -181,7 +181,8 @@ void hang(const std::vector<double>& weights, const Vector3<double>& gravity, Sa
     std::vector<double>& wrench = samples.readings[row].wrench;
     if (!wrench.empty())
       throw Error(samples.where[row], "columns of a weight and of a wrench", "one of them");
-    if (std::isnan(weights[row])) throw Error(samples.where[row], "an empty load", "the load of every reading");
+    if (std::isnan(weights[row]))
+      throw Error(samples.where[row], "an empty load", "the load of every reading");
     const Vector3<double> force = weights[row] * gravity;
     wrench = {force.x(), force.y(), force.z(), 0, 0, 0};
   }

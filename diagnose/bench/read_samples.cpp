@@ -36,12 +36,13 @@ class Joined {
 
   [[nodiscard]] Reading reading(std::size_t row, Control control) const {
     const bool one_way = end_kind(format().alone).place.size() == 1, is_free = format().free_end;
-    Reading reading{value(0, row),
-                    {no_value, one_way ? 0 : no_value, is_free ? 0 : no_value, one_way || is_free ? 0 : no_value}};
+    Reading reading{
+        value(0, row),
+        {no_value, one_way ? 0 : no_value, is_free ? 0 : no_value, one_way || is_free ? 0 : no_value}};
     for (std::size_t c = 0; c < owners_.size(); ++c) {
       const Column& column = format().columns[c];
       const double one = value(c, row);
-      if (column.says == Says::channel) column.reads->in(reading) = one;
+      if (column.says == Says::channel && owners_[c]->has(c)) column.reads->in(reading) = one;
       if (column.says == Says::command && owners_[c]->has(c)) reading.rest.push_back(one);
       if (column.says == Says::wrench && has_wrench_) reading.wrench.push_back(owners_[c]->has(c) ? one : 0);
       if (column.says == Says::covariate) reading.covariates.push_back(one);
@@ -104,8 +105,10 @@ class Joined {
     if (owner_of("q_command").format().absolute_commands)
       std::adjacent_difference(reading.rest.begin(), reading.rest.end(), reading.rest.begin());
     if (!owner_of("q").format().absolute_angles) return;
+    const std::ptrdiff_t joints = std::ranges::count(format().columns, "q", &Column::group);
+    if (std::ssize(reading.value) < column_q + joints) return;  // none is read
     const auto first = reading.value.begin() + column_q;
-    std::adjacent_difference(first, first + std::ranges::count(format().columns, "q", &Column::group), first);
+    std::adjacent_difference(first, first + joints, first);
   }
 
   void require_given(const Reading& r, std::size_t row, Control control) const {

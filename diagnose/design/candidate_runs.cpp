@@ -162,9 +162,8 @@ std::vector<CandidateRun> loads(const Experiment& experiment, const Shape& shape
     const std::optional<Vector2> load = bearable_load(experiment, shape, one.along, so_far);
     if (!load) continue;
     for (const bool back : {false, true})
-      all.push_back({fmt::format("load with {:.3g} {} {} from {}{}", load->norm(),
-                                 end.load.front().unit(), one.name, shape.words,
-                                 back ? " and unload" : ""),
+      all.push_back({fmt::format("load with {:.3g} {} {} from {}{}", load->norm(), end.load.front().unit(),
+                                 one.name, shape.words, back ? " and unload" : ""),
                      gone(shape, {0, 0}, *load, back, so_far)});
   }
   return all;

@@ -55,8 +55,7 @@ std::vector<CandidateRun> poses(const Experiment& experiment, const std::vector<
       pose.push_back(joints[j].at(static_cast<double>((i + j * (i / 3)) % 3) / 2));
     const bool known =
         std::any_of(all.begin(), all.end(), [&](const CandidateRun& one) { return one.run.rest == pose; });
-    if (!known)
-      all.push_back({"hold " + in_words(pose, experiment), commanded(experiment, {pose}, so_far)});
+    if (!known) all.push_back({"hold " + in_words(pose, experiment), commanded(experiment, {pose}, so_far)});
   }
   return all;
 }
@@ -75,8 +74,7 @@ std::vector<CandidateRun> sweeps(const Experiment& experiment, const std::vector
       commands.back()[j] = joints[j].at(static_cast<double>(std::min(i, 2 * steps - i)) / steps);
     }
     all.push_back({fmt::format("sweep joint {} slowly from {} to {} and back", j + 1,
-                               in_words({joints[j].low}, experiment),
-                               in_words({joints[j].high}, experiment)),
+                               in_words({joints[j].low}, experiment), in_words({joints[j].high}, experiment)),
                    commanded(experiment, commands, so_far)});
   }
   return all;

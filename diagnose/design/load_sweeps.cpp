@@ -20,13 +20,13 @@ CommandRange range_of(const Experiment& experiment, std::size_t covariate) {
 Run swept(const Shape& from, const LoadChannel& load, const CommandRange& range, bool back,
           const OperatingEnvelope& so_far) {
   constexpr int steps = 20;  // of one way
-  constexpr double not_measured = std::numeric_limits<double>::quiet_NaN();
+  constexpr double unread = std::numeric_limits<double>::quiet_NaN();
   Run run{"proposed", Control::force, from.rest, {}};
   run.by_weights = true;
   run.loads = {load};
   for (int i = 0; i <= (back ? 2 * steps : steps); ++i) {
     const double share = static_cast<double>(std::min(i, 2 * steps - i)) / steps;
-    run.readings.push_back({i * so_far.sampling_interval, {not_measured, not_measured, 0, 0}});
+    run.readings.push_back({i * so_far.sampling_interval, {unread, unread, 0, 0}});
     run.readings.back().covariates = so_far.covariates;
     run.readings.back().covariates[load.covariate] = range.at(share);
   }

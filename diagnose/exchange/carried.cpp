@@ -56,8 +56,7 @@ bool hardens_to_one_side(const Rig& rig) {
 
 /// What stands against an effect beside those that are carried already; nothing where it goes.
 std::string_view against(Format format, const NominalEffect& effect, const Rig& rig) {
-  if (adds_weight(effect.id) && !one_gravity(rig))
-    return "weights in several directions";
+  if (adds_weight(effect.id) && !one_gravity(rig)) return "weights in several directions";
   if (format == Format::mjcf && rig.eccentricity != 0 && has_drive(rig))
     return "the drive of this file holds the point where the load acts, not the end point";
   if (format == Format::mjcf && hardens_to_one_side(rig))

@@ -61,7 +61,8 @@ bool is_of_arm(const Experiment& experiment, const NominalEffect& effect) {
   const Rig with = rig_with_effects(experiment, {effect});
   Rig all = rig_with_effects(experiment, {});
   all.arm->arm = with.arm->arm;
-  all.arm->zero = with.arm->zero;
+  all.rest_error = with.rest_error;
+  for (std::size_t j = 0; j < all.encoder.size(); ++j) all.encoder[j].zero = with.encoder[j].zero;
   if (is_read_at_tip(experiment)) all.arm->points = with.arm->points;
   all.stiffness = with.stiffness;
   all.friction = with.friction;

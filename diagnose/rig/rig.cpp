@@ -22,19 +22,24 @@ Rig in_run(const Rig& rig, std::size_t run) {
 }
 
 void Rig::add_mass(std::size_t link, double kilograms, const Vector2& gravity) {
-  weight[link] += kilograms * gravity;
-  if (arm) arm->arm.links[link].mass += kilograms;
+  if (arm)
+    arm->arm.links[link].mass += kilograms;
+  else
+    weight[link] += kilograms * gravity;
 }
 
 void Rig::add_bar(std::size_t link, double kilograms, const Vector2& gravity) {
-  weight[link] += kilograms * gravity;
-  if (arm) diagnose::add_mass(arm->arm.links[link], kilograms, arm->arm.far_end(link).translation() / 2);
+  if (arm)
+    diagnose::add_mass(arm->arm.links[link], kilograms, arm->arm.far_end(link).translation() / 2);
+  else
+    weight[link] += kilograms * gravity;
 }
 
 void Rig::add_payload(double at_end, const Vector2& down) {
-  payload += at_end * down;
-  if (!arm || arm->arm.gravity.isZero(0)) return;
-  diagnose::add_mass(arm->arm.links.back(), at_end / arm->arm.gravity.norm(), arm->arm.tip.translation());
+  if (!arm)
+    payload += at_end * down;
+  else if (!arm->arm.gravity.isZero(0))
+    diagnose::add_mass(arm->arm.links.back(), at_end / arm->arm.gravity.norm(), arm->arm.tip.translation());
 }
 
 void Rig::scale_masses(double factor) {
@@ -44,14 +49,24 @@ void Rig::scale_masses(double factor) {
 }
 
 void Rig::scale_length(std::size_t link, double factor) {
-  length[link] *= factor;
-  if (!arm) return;
+  if (!arm) {
+    length[link] *= factor;
+    return;
+  }
   SerialArm<double>& own = arm->arm;
-  (link + 1 < own.size() ? own.links[link + 1].frame : own.tip).translation() *= factor;
+  if (link + 1 < own.size()) {
+    own.links[link + 1].frame.translation() *= factor;
+    return;
+  }
+  const OnLink<double> tip{link, own.tip};
+  own.tip.translation() *= factor;
+  for (OnLink<double>& point : arm->points)
+    if (point == tip) point.frame = own.tip;
+  if (arm->load == tip) arm->load.frame = own.tip;
 }
 
 void Rig::bend(double more) {
-  flexibility += more;
+  if (!arm) flexibility += more;
   for (std::size_t j = 0; arm && j < length.size(); ++j) arm->bend(j, more);
 }
 

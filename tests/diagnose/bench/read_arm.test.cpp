@@ -145,7 +145,8 @@ TEST_CASE("quaternions whose first number is x are asked about") {
 }
 
 TEST_CASE("columns of an arm have names, units, signs and zeros of their own, and parts") {
-  const Experiment named = read("[[run]]", "[columns]\nq_command = { column = [\"a\", \"b\"], unit = \"rad\", "
+  const Experiment named = read("[[run]]",
+                                "[columns]\nq_command = { column = [\"a\", \"b\"], unit = \"rad\", "
                                 "sign = [1, -1] }\ntip = [\"X\", \"Y\", \"Z\"]\nweight = { column = \"m\", "
                                 "unit = \"g\", zero = 100 }\n[[run]]",
                                 arm_table, "t,a,b,X,Y,Z,m\n0,0,0,550,0,400,100\n1,1.5,0.5,0,550,400,1600\n");

@@ -60,9 +60,9 @@ TEST_CASE("defaults of the sample format") {
   CHECK(format.skip_after_header == 0);
   CHECK_FALSE(format.any_order);
   CHECK_FALSE(format.absolute_angles);
-  const std::vector<std::string> names{"t",  "x",          "y",          "Fx",   "Fy",  "q1",
-                                       "q2", "q_command1", "q_command2", "Fx_2", "Fy_2"},
-      units{"s", "m", "m", "N", "N", "rad", "rad", "rad", "rad", "N", "N"};
+  const std::vector<std::string> names{"t",          "x",          "y",    "Fx",   "Fy",    "q1",   "q2",
+                                       "q_command1", "q_command2", "Fx_2", "Fy_2", "tilt1", "tilt2"},
+      units{"s", "m", "m", "N", "N", "rad", "rad", "rad", "rad", "N", "N", "rad", "rad"};
   REQUIRE(format.columns.size() == names.size());
   for (std::size_t c = 0; c < names.size(); ++c) {
     CHECK(format.columns[c].channel == names[c]);
@@ -235,14 +235,14 @@ TEST_CASE("columns are found by their number, by their name, or in the standard 
   const ColumnPlaces places = column_places({{"T", table, format}}, Control::end_point).front();
   using Place = std::optional<std::size_t>;
   CHECK(places == ColumnPlaces{Place(), Place(1), Place(2), Place(), Place(), Place(), Place(), Place(),
-                               Place(), Place(), Place()});
+                               Place(), Place(), Place(), Place(), Place()});
   CHECK(column_title(table, 1) == "b");
   SampleFormat bare = standard_format(2);
   bare.header = false;
   const SampleTable numbers = parse_sample_table("0,1,2,3,4\n", "T", bare);
   CHECK(column_places({{"T", numbers, bare}}, Control::force).front() ==
         ColumnPlaces{Place(0), Place(1), Place(2), Place(3), Place(4), Place(), Place(), Place(), Place(),
-                     Place(), Place()});
+                     Place(), Place(), Place(), Place()});
   CHECK(column_title(numbers, 1) == "column 2");
 }
 
@@ -296,7 +296,7 @@ q = { column = ["q1", "q2"], absolute = true }
   CHECK(first.angles(2) == std::vector<double>{0.25, 0.5});
   CHECK(second[column_q + 0] == 0.5);
   CHECK(std::isnan(second[column_q + 1]));
-  REQUIRE(samples.origins.size() == 11);  // commanded angles and a second sensor among them
+  REQUIRE(samples.origins.size() == 13);  // commanded angles, a second sensor, tilts among them
   CHECK(samples.origins[place_t].source.empty());
   CHECK(samples.origins[place_x].source == "x");
   CHECK(samples.origins[place_x].what == "x");

@@ -47,11 +47,13 @@ XmlFile file_of(const Folder& folder, const std::string& text) {
   return XmlFile(folder / "a.xml");
 }
 
-/// Without blanks between elements, as the parser sees it.
+/// Without blanks: where an element between two words goes, those around it are blanks of the words.
 std::string seen(const pugi::xml_document& document) {
   std::ostringstream text;
   document.save(text, "", pugi::format_raw);
-  return text.str();
+  std::string all = text.str();
+  std::erase_if(all, [](char one) { return one == ' ' || one == '\n' || one == '\t'; });
+  return all;
 }
 
 std::string drawn_element(int depth) {

@@ -181,10 +181,10 @@ TEST_CASE("a plan declares the noise of some channel of every run") {
   CHECK(only_noise({0, 0, 1, 0, 0}) == "");
   CHECK(only_noise({0, 0, 0, 1, 0}) == "");
   CHECK(only_noise({0, 0, 0, 0, 1}) == "");
-  CHECK(only_noise({1, 1, 0, 0, 0}) == nothing + "Fx, Fy, q, Fx_2 or Fy_2");
+  CHECK(only_noise({1, 1, 0, 0, 0}) == nothing + "Fx, Fy, q, Fx_2, Fy_2 or tilt");
   experiment.runs[0].control = Control::force;
   CHECK(only_noise({1, 0, 0, 0, 0}) == "");
   CHECK(only_noise({0, 1, 0, 0, 0}) == "");
   CHECK(only_noise({0, 0, 0, 0, 1}) == "");
-  CHECK(only_noise({0, 0, 1, 1, 0}) == nothing + "x, y, q, Fx_2 or Fy_2");
+  CHECK(only_noise({0, 0, 1, 1, 0}) == nothing + "x, y, q, Fx_2, Fy_2 or tilt");
 }
