@@ -410,3 +410,17 @@ TEST_CASE("under an imposed force the end point is read less its offset") {
         up_to_rounding);
   CHECK((yielding.col(column_y) - nominal.col(column_y)).abs().maxCoeff() < up_to_rounding);
 }
+
+TEST_CASE("a link stands at the sum of the joint angles up to it, as an inclinometer on it reads") {
+  const Experiment experiment = full_bench();
+  const Prediction predicted = Study(experiment).nominal();
+  REQUIRE(predicted.reached);
+  for (const Trace& trace : predicted.runs)
+    for (Eigen::Index r = 0; r < trace.rows(); ++r) {
+      double sum = 0;
+      for (std::size_t j = 0; j < 3; ++j) {
+        sum += trace(r, Channel(Channel::Name::q, j).column);
+        CHECK(trace(r, Channel(Channel::Name::tilt, j, 3).column) == doctest::Approx(sum).epsilon(1e-14));
+      }
+    }
+}
