@@ -32,7 +32,7 @@ std::pair<std::vector<std::string>, std::string> sections_on(const std::vector<s
 Judgement contents(const Printed& printed, int) {
   const auto [found, headings] = sections_on({"Buckling", "the non-straight", "the straight", "Conclusions"});
   return judge_list(printed, found,
-                    fmt::format("they are {}: section 5 is the discussion", fmt::join(found, ", ")),
+                    fmt::format("they are sections {}, by their headings", fmt::join(found, ", ")),
                     {{EvidenceKind::exact, headings}});
 }
 
@@ -42,8 +42,11 @@ Judgement on_configurations(const Printed& printed, int) {
   const bool next = found.size() == 1 && found.front() == "3";
   const std::string words = next ? "the following section that concentrates"
                                  : fmt::format("sections {} that concentrate", fmt::join(found, " and "));
-  return judge_word(printed.at(0), words, fmt::format("they are sections {}", fmt::join(found, " and ")),
-                    {{EvidenceKind::exact, headings}});
+  return judge_word(
+      printed.at(0), words,
+      fmt::format("non-straight and straight initial configurations are the matter of sections {}",
+                  fmt::join(found, " and ")),
+      {{EvidenceKind::exact, headings}});
 }
 
 /// The premises of a section's claims.

@@ -21,6 +21,7 @@ constexpr NamedKind kinds[] = {
     {"value", "values", generic::value},
     {"sign", "values", generic::sign},
     {"modes", "straight", generic::modes},
+    {"post-buckling", "straight", generic::post_buckling},
     {"closed form", "straight", generic::closed_form},
     {"stability", "straight", generic::stability},
     {"critical", "structures", generic::critical},

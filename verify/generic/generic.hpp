@@ -40,6 +40,8 @@ Judgement value(const Parameters& with, const Printed& printed, const Premises& 
 Judgement sign(const Parameters& with, const Printed& printed, const Premises& given, int digits);
 /// Critical forces, modes and eigenvalues of a straight chain (straight.cpp).
 Judgement modes(const Parameters& with, const Printed& printed, const Premises& given, int digits);
+/// How the force begins to change along the bent shapes of a mode (straight.cpp).
+Judgement post_buckling(const Parameters& with, const Printed& printed, const Premises& given, int digits);
 /// A closed form of the critical forces of a family of chains (straight.cpp).
 Judgement closed_form(const Parameters& with, const Printed& printed, const Premises& given, int digits);
 /// Whether the straight chain is stable under a force (straight.cpp).

@@ -16,7 +16,7 @@ namespace plumbline::verify {
 
 Judgement generic::value(const Parameters& with, const Printed& printed, const Premises& given, int digits) {
   with.known({"chain", "of", "symbols", "shape", "at"});
-  const SymbolicModel model(given.at(with.text("chain")), with.list("symbols"), with.list("shape"));
+  const SymbolicModel model(given.guided(with.text("chain")), with.list("symbols"), with.list("shape"));
   Values values;
   for (const std::string& one : with.list("at")) {
     const std::size_t equals = one.find('=');
@@ -61,7 +61,7 @@ std::string word_of(const Parameters& with, SignOnRange sign) {
 
 Judgement generic::sign(const Parameters& with, const Printed& printed, const Premises& given, int) {
   with.known({"chain", "of", "symbols", "shape", "by", "range"});
-  const SymbolicModel model(given.at(with.text("chain")), with.list("symbols"), with.list("shape"));
+  const SymbolicModel model(given.guided(with.text("chain")), with.list("symbols"), with.list("shape"));
   const Printed range = with.list("range");
   if (range.size() != 3) with.wrong("range", "a name, from and to");
   const auto symbol = [&](const std::string& name) {
