@@ -20,6 +20,7 @@ constexpr NamedKind kinds[] = {
     {"formula", "formula", generic::formula},
     {"value", "values", generic::value},
     {"sign", "values", generic::sign},
+    {"names", "values", generic::names},
     {"modes", "straight", generic::modes},
     {"post-buckling", "straight", generic::post_buckling},
     {"closed form", "straight", generic::closed_form},
