@@ -16,12 +16,12 @@ const Paper& published() {
   return paper;
 }
 
-std::string verdict(const Judged& one) {
+std::string outcome(const Judged& one) {
   return one.judgement ? std::string(name(one.judgement->verdict)) : "unjudged: " + one.problem;
 }
 
 /// A claim on one chain, which the text of a chain file or lists state.
-std::string judged(const std::string& chain, const std::string& printed, const std::string& check) {
+std::string outcome_of(const std::string& chain, const std::string& printed, const std::string& check) {
   const Paper paper = with_checks(read_paper([&](const std::string& file) -> std::optional<std::string> {
     if (file == "paper.toml")
       return "title = \"T\"\nauthors = \"A\"\njournal = \"J\"\nread = \"r\"\nsections = [\"1\"]\n";
@@ -33,7 +33,7 @@ std::string judged(const std::string& chain, const std::string& printed, const s
           printed, check);
     return std::nullopt;
   }));
-  return verdict(judge(paper.claims, 10).front());
+  return outcome(judge(paper.claims, 10).front());
 }
 
 /// A print, and a check that each can be asked of two or three links.
@@ -58,7 +58,7 @@ TEST_CASE("published loads of rods and chains: followers, weights, flutter, free
   const auto all = judge(published().claims, 10);
   CHECK(all.size() == 13);
   for (const Judged& one : all)
-    CHECK_MESSAGE(verdict(one) == "confirmed", one.claim.id << " " << verdict(one));
+    CHECK_MESSAGE(outcome(one) == "confirmed", one.claim.id << " " << outcome(one));
 }
 
 TEST_CASE("a published load with its last digit but one altered is refuted") {
@@ -66,7 +66,7 @@ TEST_CASE("a published load with its last digit but one altered is refuted") {
     Claim claim = with_id(published().claims, id).front();
     char& digit = claim.printed.front().at(claim.printed.front().size() - 2);
     digit = digit == '9' ? '8' : static_cast<char>(digit + 1);
-    CHECK_MESSAGE(verdict(judge({claim}, 10).front()) == "refuted", id);
+    CHECK_MESSAGE(outcome(judge({claim}, 10).front()) == "refuted", id);
   }
 }
 
@@ -74,7 +74,7 @@ TEST_CASE("a check that is made for guided chains refuses another one in one lin
   const std::string free =
       "chain = \"\"\"\nlengths = [1, 1]\nstiffness = [1, 1]\nend_point = \"free\"\n\"\"\"\n";
   for (const Asked& one : asked) {
-    const std::string found = judged(free, one.printed, one.check);
+    const std::string found = outcome_of(free, one.printed, one.check);
     INFO(one.check, ": ", found);
     const bool equilibria = std::string(one.check).find("equilibria") != std::string::npos;
     CHECK(found.starts_with(equilibria ? "unjudged: " : "unjudged: premise c: found a chain file with ends"));
@@ -87,16 +87,16 @@ TEST_CASE("a chain file that says nothing of ends and loads is the chain of its 
                     lists = "length = [\"1\", \"1\"]\nstiffness = [\"0\", \"1\"]\nrest = [\"0\", \"0\"]\n";
   for (const Asked& one : asked) {
     INFO(one.check);
-    CHECK(judged(file, one.printed, one.check) == judged(lists, one.printed, one.check));
+    CHECK(outcome_of(file, one.printed, one.check) == outcome_of(lists, one.printed, one.check));
   }
-  CHECK(judged(file, "2.000", "is = \"modes\", of = [\"F 1\"]") == "confirmed");
+  CHECK(outcome_of(file, "2.000", "is = \"modes\", of = [\"F 1\"]") == "confirmed");
 }
 
 TEST_CASE("what is lost to a follower may come back: beyond it nothing is said") {
   const std::string pendulum =
       "chain = \"\"\"\nlengths = [1, 1]\nstiffness = [1, 1]\nend_point = \"free\"\nmasses = [2, 1]\n"
       "loads = [{ follower = 1 }]\n\"\"\"\n";
-  CHECK(judged(pendulum, "stable", "is = \"stability\", force = \"2\"") == "confirmed");
-  CHECK(judged(pendulum, "stable", "is = \"stability\", force = \"3\"").starts_with("unjudged"));
-  CHECK(judged(pendulum, "stable", "is = \"stability\", force = \"-1\"").starts_with("unjudged"));
+  CHECK(outcome_of(pendulum, "stable", "is = \"stability\", force = \"2\"") == "confirmed");
+  CHECK(outcome_of(pendulum, "stable", "is = \"stability\", force = \"3\"").starts_with("unjudged"));
+  CHECK(outcome_of(pendulum, "stable", "is = \"stability\", force = \"-1\"").starts_with("unjudged"));
 }

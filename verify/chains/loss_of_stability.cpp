@@ -10,7 +10,7 @@
 namespace plumbline::verify {
 namespace {
 
-constexpr int digits = 10;
+constexpr int digits_of_a_loss = 10;
 
 std::string of_follower(proofs::Motion kind) {
   return kind == proofs::Motion::flutter ? "flutter" : "divergence";
@@ -20,10 +20,10 @@ std::string of_follower(proofs::Motion kind) {
 
 LossOfStability loss_of_stability(const Structure<Rational>& structure) {
   if (!structure.follower()) {
-    const auto found = proofs::StraightStructure(structure).enclose(1, digits).front();
+    const auto found = proofs::StraightStructure(structure).enclose(1, digits_of_a_loss).front();
     return {"buckling", found.low, found.high};
   }
-  const auto found = proofs::stability_loss(straight_motion(structure), digits);
+  const auto found = proofs::stability_loss(straight_motion(structure), digits_of_a_loss);
   if (!found.first)
     throw Error("chain", "an earlier loss of stability that is not excluded", "a proved first one");
   return {of_follower(found.kind), found.low, found.high};
@@ -31,7 +31,8 @@ LossOfStability loss_of_stability(const Structure<Rational>& structure) {
 
 LossOfStability loss_of_rod(const statement::PlaneChain& chain) {
   if (!chain.beam) throw Error("chain", "no rod", "one stated by the key beam");
-  const auto found = proofs::critical_rod(proofs::rod_of_chain(chain.structure, *chain.beam), digits);
+  const auto found =
+      proofs::critical_rod(proofs::rod_of_chain(chain.structure, *chain.beam), digits_of_a_loss);
   const std::string kind = chain.structure.follower() ? of_follower(found.kind) : "buckling";
   return {kind, found.factor.low, found.factor.high};
 }
