@@ -9,8 +9,8 @@ TrueEffect effect_from(const files::JsonValue& json) {
   const campaign::EffectName named = campaign::effect_name(json);
   TrueEffect effect{named.id, named.joint, {}};
   if (json.has("parameters"))
-    for (const auto& [name, value] : json.at("parameters", "").members("parameters by name"))
-      effect.parameters.emplace_back(name, value.number("a number"));
+    for (const auto& [parameter, value] : json.at("parameters", "").members("parameters by name"))
+      effect.parameters.emplace_back(parameter, value.number("a number"));
   effect.strength = json.number_or("strength_sigma", 0.0);
   return effect;
 }

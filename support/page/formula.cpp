@@ -14,6 +14,7 @@ namespace {
 struct Set {
   std::string mathml;
   int binding = 3;
+  std::string unbracketed = {};  ///< the same where a fraction makes its brackets idle; else empty
 };
 
 struct NoFormula : std::runtime_error {
@@ -47,12 +48,20 @@ std::string name_in_mathml(const std::string& name) {
   return fmt::format("<msub><mi>{}</mi><{}>{}</{}></msub>", letter, tag, index, tag);
 }
 
-std::string in_brackets(const Set& one) {
-  return "<mrow><mo>(</mo>" + one.mathml + "<mo>)</mo></mrow>";
+/// As tall as a fraction where there is one: fonts without a table for formulas stretch them beyond measure.
+std::string in_brackets(const std::string& mathml) {
+  const bool tall = mathml.find("<mfrac>") != std::string::npos;
+  const char* const kind = tall ? "<mo>" : "<mo stretchy=\"false\">";
+  return fmt::format("<mrow>{}(</mo>{}{})</mo></mrow>", kind, mathml, kind);
+}
+
+/// Above or below the line of a fraction.
+std::string in_fraction(const Set& one) {
+  return "<mrow>" + (one.unbracketed.empty() ? one.mathml : one.unbracketed) + "</mrow>";
 }
 
 std::string bound(const Set& one, int at_least) {
-  return one.binding < at_least ? in_brackets(one) : "<mrow>" + one.mathml + "</mrow>";
+  return one.binding < at_least ? in_brackets(one.mathml) : "<mrow>" + one.mathml + "</mrow>";
 }
 
 class Setter {
@@ -93,9 +102,7 @@ class Setter {
       if (next('*'))
         all = {bound(all, 2) + "<mo>&#x2062;</mo>" + bound(power(), 2), 2};
       else if (next('/'))
-        all = {fmt::format("<mfrac>{}<mrow>{}</mrow></mfrac>", "<mrow>" + all.mathml + "</mrow>",
-                           power().mathml),
-               3};
+        all = {fmt::format("<mfrac>{}{}</mfrac>", in_fraction(all), in_fraction(power())), 3};
       else
         return all;
     }
@@ -112,7 +119,7 @@ class Setter {
     if (next('(')) {
       const Set inner = sum();
       need(')');
-      return inner.binding == 3 ? inner : Set{in_brackets(inner), 3};
+      return inner.binding == 3 ? inner : Set{in_brackets(inner.mathml), 3, inner.mathml};
     }
     std::string token;
     while (at_ < text_.size() &&
@@ -138,8 +145,7 @@ class Setter {
               3};
     if (name == "sqrt") return {"<msqrt>" + arguments + "</msqrt>", 3};
     if (!is_function(name)) throw NoFormula();
-    return {fmt::format("<mi>{}</mi><mo>&#x2061;</mo><mrow><mo>(</mo>{}<mo>)</mo></mrow>", name, arguments),
-            3};
+    return {fmt::format("<mi>{}</mi><mo>&#x2061;</mo>{}", name, in_brackets(arguments)), 3};
   }
 
   std::string text_;

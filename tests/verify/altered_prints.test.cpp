@@ -108,7 +108,8 @@ namespace {
 std::vector<std::string> altered_number(const std::string& text) {
   std::vector<std::string> all;
   const std::size_t digit = text.find_first_of("0123456789");
-  const bool symbol = std::isalpha(static_cast<unsigned char>(text[0])) != 0 && !text.starts_with("pi");
+  const auto first = static_cast<unsigned char>(text[0]);
+  const bool symbol = (std::isalpha(first) != 0 || first >= 0x80) && !text.starts_with("pi");
   if (!symbol && digit != std::string::npos) {
     for (const char other : {text[digit] == '9' ? '1' : '9', '0'}) {
       all.push_back(text);

@@ -11,11 +11,13 @@ namespace plumbline::verify {
 namespace {
 
 Checks (*const lists[])() = {
-    claims::outline,        claims::two_link,          claims::three_link_model, claims::symbols,
-    claims::first_figures,  claims::loaded_three_link, claims::zigzag,           claims::loaded_four_link,
-    claims::quasi_buckling, claims::three_link,        claims::linearised_model, claims::linear_equations,
-    claims::sign_of_force,  claims::eigenvalues,       claims::energy,           claims::four_link,
-    claims::energy_surface, claims::spatial_chains,    claims::discussion,       claims::outside_the_model,
+    claims::outline,        claims::two_link,         claims::three_link_model,
+    claims::symbols,        claims::first_figures,    claims::loaded_three_link,
+    claims::zigzag,         claims::loaded_four_link, claims::quasi_buckling,
+    claims::three_link,     claims::linearised_model, claims::linear_equations,
+    claims::sign_of_force,  claims::eigenvalues,      claims::straight_stability,
+    claims::energy,         claims::four_link,        claims::energy_surface,
+    claims::spatial_chains, claims::discussion,       claims::outside_the_model,
 };
 
 std::map<std::string, Check> all_checks() {

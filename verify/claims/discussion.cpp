@@ -71,7 +71,7 @@ Judgement prismatic(const Printed& printed, int) {
 Judgement prismatic_direction(const Printed& printed, int) {
   constexpr std::uint64_t seed = 1, chains = 40;
   constexpr int digits = 12;
-  std::size_t higher = 0, lower = 0;
+  std::size_t cases = 0, higher = 0, lower = 0;
   std::string example;
   for (std::uint64_t index = 0; index < chains; ++index) {
     const auto rigid = convert<Rational>(random_chain(seed, index), [](double x) { return Rational(x); });
@@ -80,6 +80,7 @@ Judgement prismatic_direction(const Printed& printed, int) {
       std::vector<Rational> length = rigid.length();
       length[link] *= Rational(99, 100);
       const Chain<Rational> shortened(length, rigid.stiffness());
+      ++cases;
       higher += count_below(shortened, before.high) == 0 ? 1 : 0;
       if (count_below(shortened, before.low) == 0) continue;
       if (lower++ == 0) example = fmt::format("link {} of chain {}", link + 1, index);
@@ -94,10 +95,9 @@ Judgement prismatic_direction(const Printed& printed, int) {
                     "at its critical force: the lowest force is higher in {} cases, lower in {}, first {}",
                     chains - 1, seed, higher, lower, example)}});
   result.statement = fmt::format(
-      "the critical force can be {}: of {} random chains, each link of which yields by a hundredth in turn, "
-      "it is "
-      "higher in {} cases and lower in {}",
-      found, chains, higher, lower);
+      "the critical force can be {}: where one link of a random chain yields by a hundredth, {} chains and "
+      "each link in turn, it is higher in {} of {} cases and lower in {}",
+      found, chains, higher, cases, lower);
   return result;
 }
 

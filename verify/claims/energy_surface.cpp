@@ -54,47 +54,19 @@ Judgement of_census(const Premises& given, const std::string& printed, const std
 /// What a function E(q1, q2) of a chain with two constraints has had eliminated.
 Judgement excluded(const Printed& printed, int) {
   const std::set<std::string> arguments{"q1", "q2"};
-  std::vector<std::string> rest;
+  std::vector<std::string> rest, named;
   for (const char* angle : {"q1", "q2", "q3", "q4"}) {
-    if (!arguments.contains(angle)) rest.emplace_back(angle);
+    if (arguments.contains(angle)) continue;
+    rest.emplace_back(angle);
+    named.push_back(fmt::format("q_{}", angle + 1));
   }
   const bool right = printed == rest;
-  return {
-      right ? Verdict::confirmed : Verdict::refuted,
-      right ? ""
-            : fmt::format(
-                  "the two constraints of (21) eliminate the angles other than the arguments of E(q_1, q_2): "
-                  "of {} {} are left",
-                  4, rest.size()),
-      {{EvidenceKind::exact, "four joint angles, two constraints, arguments q1 and q2"}},
-      ""};
-}
-
-/// printed: kind of point, stability
-Judgement kind_and_stability(const Printed& printed, const Premises& given, int) {
-  std::string found;
-  for (const auto& one : landscape(given).equilibria) {
-    if (kind(one) == printed.at(0)) found = one.negative_directions == 0 ? "stable" : "unstable";
-  }
-  if (found.empty()) throw Error("claim", printed.at(0), "minimum, saddle or maximum");
-  return judge_word(
-      printed.at(1), found,
-      "the minima (U) are the stable, the maxima (Z) the unstable equilibria: the words are interchanged",
-      {Evidence::by_theorem(
-           "Stability",
-           "with the end point held, stable is where E has a strict minimum, and what has a negative "
-           "direction is not"),
-       {EvidenceKind::interval, summary(given)}});
-}
-
-Judgement totals(const Printed& printed, const Premises& given, int) {
-  const std::string found = types(landscape(given)),
-                    total = std::to_string(landscape(given).equilibria.size()) + ": ";
-  const bool right =
-      printed.at(0).starts_with(total) && Counts(printed.at(0).substr(total.size())) == Counts(found);
   return {right ? Verdict::confirmed : Verdict::refuted,
-          right ? "" : total + found,
-          {{EvidenceKind::interval, summary(given)}},
+          right ? ""
+                : fmt::format("the two constraints of (21) eliminate {}, the angles that are no arguments of "
+                              "E(q_1, q_2)",
+                              fmt::join(named, " and ")),
+          {{EvidenceKind::exact, "four joint angles, two constraints, arguments q1 and q2"}},
           ""};
 }
 
@@ -139,38 +111,13 @@ Judgement globally_stable(const Printed& printed, const Premises& given, int) {
                                             proofs::to_exact(small), extrema(points))}});
 }
 
-/// Shape and stability, each shape once.
-Judgement surface_shapes(const Printed& printed, const Premises& given, int) {
-  std::map<std::string, std::string> found;
-  for (const auto& one : landscape(given).equilibria) {
-    std::string& here = found[word(one)];
-    const std::string kind = one.negative_directions == 0 ? "stable" : "unstable";
-    here = here.empty() || here == kind ? kind : "either";
-  }
-  std::vector<std::string> list;
-  for (const auto& [shape, kind] : found) list.insert(list.end(), {shape, kind});
-  return judge_rows(printed, list, 2, fmt::format("the equilibria are {}", fmt::join(list, " ")),
-                    {{EvidenceKind::interval, summary(given)}});
-}
-
-Judgement preferred(const Printed& printed, const Premises& given, int) {
-  return of_census(given, printed.at(0), word(landscape(given).equilibria.front()),
-                   "another shape has the least energy");
-}
-
 }  // namespace
 
 Checks claims::energy_surface() {
   return {
       {"fig-16-excluded", excluded},
-      {"fig-16-maxima", kind_and_stability},
-      {"fig-16-minima", kind_and_stability},
-      {"fig-16-saddles", kind_and_stability},
       {"fig-16-global", global},
-      {"fig-16-count", totals},
       {"fig-16-sheets", sheets},
-      {"fig-16-shapes", surface_shapes},
-      {"fig-16-prefers", preferred},
       {"four-link-globally-stable", globally_stable},
   };
 }

@@ -2,6 +2,7 @@
 /// Section 2, Figures 2, 3, 5 and 6: what the curves of two and of three links are said to show.
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <map>
 #include <plumbline/chain/linearised.hpp>
@@ -198,19 +199,6 @@ Judgement stable_letters(const Printed& printed, const Premises& given, int) {
                     {of_straight_chain(given, fmt::format("U is {}, Z is {}", found['U'], found['Z']))});
 }
 
-Judgement like_column(const Printed& printed, const Premises& given, int) {
-  const Chain<Interval> chain = straight_chain(given).chain;
-  // (16): mode 1 has F = k/L and the orientations (1, 0, -1)
-  const Interval curvature = post_buckling_curvature<Interval>(
-      chain, {Interval(1), {Interval(1), Interval(-1), Interval(-1)}, Interval(0)});
-  return judge_word(printed.at(0), certainly_positive(curvature) ? "supercritical" : "subcritical",
-                    "bent shapes exist on the other side of the critical force",
-                    {Evidence::by_theorem(
-                         "Supercritical",
-                         "F = F_m + F_2 a^2 + … with F_2 > 0 on a passive base, and so for Euler's column"),
-                     {EvidenceKind::interval, "F_2 of the U-shape in " + curvature.text(5) + " k/L"}});
-}
-
 /// The nearly straight chain, or its mirror image.
 HeldChain quasi_straight(const Premises& given, int sign) {
   const Chain<Interval> chain = given.chain("quasi-straight");
@@ -258,10 +246,11 @@ Judgement only_stable(const Printed& printed, const Premises& given, int) {
                     in_lengths(looked_at_straight()), large.text(), observed)}},
       ""};
   if (printed.at(0) == observed && printed.at(1) == found) return result;
-  result.verdict = printed.at(0) == observed && printed.at(1) == "the only stable one" ? Verdict::imprecise
+  // of the stable ones the only one that is observed: the sentences before say that there are two
+  result.verdict = printed.at(0) == observed && printed.at(1) == "the only stable one" ? Verdict::convention
                                                                                        : Verdict::refuted;
-  result.truth = fmt::format("slow compression leads to {}; it is {}, and the other is reached by a push",
-                             observed, found);
+  result.truth = fmt::format(
+      "slow compression leads to {} alone; it is {}, and the other is reached by a push", observed, found);
   return result;
 }
 
@@ -361,21 +350,11 @@ Judgement equilibrium_shapes(const Printed& printed, const Premises& given, int)
 
 Checks claims::first_figures() {
   return {
-      {"fig-2a", straight_in_figure},
-      {"fig-2b-shape", bent_above},
-      {"fig-2b-force", shape_depends},
-      {"fig-3a-zero", through_zero},
-      {"fig-3a-spring", resists},
-      {"fig-3b-minimum", bent_minimum},
-      {"fig-5-like-column", like_column},
-      {"fig-5-count", equilibria},
-      {"fig-5-stable", stable_letters},
-      {"fig-5-side", which_side},
-      {"fig-5b-only", only_stable},
-      {"fig-5b-name", quasi_straight_name},
-      {"fig-5-sines", sines},
-      {"three-link-beyond", beyond},
-      {"fig-6-shapes", equilibrium_shapes},
+      {"fig-2a", straight_in_figure}, {"fig-2b-shape", bent_above},         {"fig-2b-force", shape_depends},
+      {"fig-3a-zero", through_zero},  {"fig-3a-spring", resists},           {"fig-3b-minimum", bent_minimum},
+      {"fig-5-count", equilibria},    {"fig-5-stable", stable_letters},     {"fig-5-side", which_side},
+      {"fig-5b-only", only_stable},   {"fig-5b-name", quasi_straight_name}, {"fig-5-sines", sines},
+      {"three-link-beyond", beyond},  {"fig-6-shapes", equilibrium_shapes},
   };
 }
 

@@ -38,36 +38,6 @@ const std::string how =
     "counts of critical forces by exact recursion bound each F to 60 digits; lambda, q, F_y from it in "
     "intervals";
 
-std::string signs_of_mode(const CertifiedMode& mode) {
-  std::string pattern;
-  for (const Interval& angle : mode.q) pattern += sign_character(angle);
-  return pattern;
-}
-
-/// The mode (index from 0) that has the paper's shape name.
-std::size_t mode_of_shape(const Premises& given, const std::string& shape) {
-  for (std::size_t m = 0; m < modes(given).size(); ++m) {
-    if (shape_name(signs_of_mode(modes(given)[m])) == shape) return m;
-  }
-  throw Error("claim", "the shape '" + shape + "'", "U, Z or ZU");
-}
-
-Judgement polynomial(const Printed& printed, const Premises& given, int) {
-  const proofs::Formulas none({});
-  const proofs::Polynomial chi = proofs::characteristic_polynomial(unit_chain(given));
-  std::vector<GiNaC::ex> computed;
-  std::vector<std::string> names;
-  ex factor = none.parse(printed.at(0));  // an equation may have any but zero
-  if (factor.is_zero()) factor = 1;
-  for (std::size_t i = chi.size(); i-- > 0;) {
-    computed.push_back(factor * none.parse(chi.at(i).str()));
-    names.push_back(fmt::format("coefficient of lambda^{}", i));
-  }
-  Judgement result = judge_formulas(none, printed, computed, names, "");
-  result.evidence = {{EvidenceKind::exact, "det(lambda I - B^-1 A) in rationals"}};
-  return result;
-}
-
 /// The eigenvalues in the paper's order: three of the modes and two zeros.
 Judgement listed(const Premises& given, const Printed& printed) {
   std::vector<Interval> computed;
@@ -106,14 +76,6 @@ Judgement nonzero_roots(const Printed& printed, const Premises& given, int) {
           ""};
 }
 
-Judgement all_eigenvalues(const Printed& printed, const Premises& given, int digits) {
-  Judgement result = listed(given, printed);
-  std::vector<std::string> values;
-  for (const CertifiedMode& mode : modes(given)) values.push_back(certified_decimal(mode.lambda, digits));
-  result.value = fmt::format("{}", fmt::join(values, "; "));
-  return result;
-}
-
 /// Whether the vectors of Table 2 have the printed norm.
 Judgement norms(const Printed& printed, int) {
   const std::optional<Rational> norm = proofs::parse_decimal(printed.at(0));
@@ -139,98 +101,6 @@ Judgement norms(const Printed& printed, int) {
       {{EvidenceKind::exact,
         fmt::format("squared norms of the printed vectors of Table 2: {}", fmt::join(found, ", "))}},
       ""};
-}
-
-/// The rows of Table 3, in its order: three shapes with q1 < 0, and their mirror images.
-const std::vector<std::string>& rows_of_table_3() {
-  static const std::vector<std::string> rows{"U", "Z", "ZU", "U", "Z", "ZU"};
-  return rows;
-}
-
-/// printed: signs and shape, row by row
-Judgement patterns(const Printed& printed, const Premises& given, int) {
-  std::vector<std::string> found;
-  for (const char first : {'-', '+'}) {
-    for (const char* shape : {"U", "Z", "ZU"}) {
-      std::string pattern = signs_of_mode(modes(given).at(mode_of_shape(given, shape)));
-      if (pattern.front() != first)
-        for (char& c : pattern) c = c == '+' ? '-' : '+';
-      found.push_back(pattern);
-      found.emplace_back(shape);
-    }
-  }
-  const std::string list = fmt::format("{}", fmt::join(found, " "));
-  return judge_list(printed, found, list,
-                    {{EvidenceKind::interval, "signs of the certified modes: " + list}});
-}
-
-/// Stability of the small bent shapes under an imposed end point: mode m has m - 1 negative directions.
-Judgement stabilities(const Printed& printed, const Premises& given, int) {
-  std::vector<std::string> found;
-  for (const std::string& shape : rows_of_table_3()) {
-    found.push_back(shape);
-    found.emplace_back(mode_of_shape(given, shape) == 0 ? "stable" : "unstable");
-  }
-  const std::string list = fmt::format("{}", fmt::join(found, " "));
-  return judge_list(
-      printed, found, list,
-      {Evidence::by_theorem(
-           "Count of shapes",
-           "the modes diagonalise E and delta_x together; at the small shape of mode m the second "
-           "variation along mode j has the sign of F_j - F_m"),
-       {EvidenceKind::interval, "lower modes by certified forces: " + list}});
-}
-
-/// A column of Table 3, shape and number row by row.
-Judgement column_of_table_3(const Premises& given, const Printed& printed, int digits,
-                            Interval CertifiedMode::*number, const std::string& symbol) {
-  std::vector<Interval> computed;
-  std::vector<std::string> names, values;
-  Printed shapes, decimals;
-  for (std::size_t i = 0; i < printed.size(); ++i) (i % 2 == 0 ? shapes : decimals).push_back(printed[i]);
-  for (const std::string& shape : rows_of_table_3()) {
-    computed.push_back(modes(given).at(mode_of_shape(given, shape)).*number);
-    names.push_back(symbol + " of " + shape);
-    values.push_back(certified_decimal(computed.back(), digits));
-  }
-  Judgement result = judge_decimals(decimals, computed, names, how);
-  if (shapes != rows_of_table_3()) {
-    result.verdict = Verdict::refuted;
-    result.truth = fmt::format("the rows are {}", fmt::join(rows_of_table_3(), ", "));
-  }
-  values.resize(3);
-  result.value = fmt::format("{}", fmt::join(values, "; "));
-  return result;
-}
-
-Judgement factors(const Printed& printed, const Premises& given, int digits) {
-  return column_of_table_3(given, printed, digits, &CertifiedMode::factor, "mu^0");
-}
-
-/// Where a force is wrong in its last places it may be the reciprocal of the rounded eigenvalue.
-Judgement forces(const Printed& printed, const Premises& given, int digits) {
-  Judgement result = column_of_table_3(given, printed, digits, &CertifiedMode::force, "F_x");
-  Printed corrected = printed;
-  std::vector<std::string> reciprocals;
-  for (std::size_t i = 1; i < corrected.size(); i += 2) {
-    const Interval lambda = modes(given).at(mode_of_shape(given, rows_of_table_3().at(i / 2))).lambda;
-    const Rational rounded =
-        proofs::parse_decimal(proofs::to_fixed(proofs::exactly(lambda.middle()), 4)).value();
-    if (corrected[i] != proofs::to_fixed(Rational(-1 / rounded), 4)) continue;
-    const std::string right = proofs::to_fixed(
-        proofs::exactly(modes(given).at(mode_of_shape(given, rows_of_table_3().at(i / 2))).force.middle()),
-        4);
-    if (right == corrected[i]) continue;
-    reciprocals.push_back(fmt::format("{} is -1/({}), the reciprocal of the rounded eigenvalue", corrected[i],
-                                      proofs::to_fixed(rounded, 4)));
-    corrected[i] = right;
-  }
-  if (result.verdict == Verdict::refuted && !reciprocals.empty() &&
-      column_of_table_3(given, corrected, digits, &CertifiedMode::force, "F_x").verdict ==
-          Verdict::confirmed) {
-    result.truth += "; " + reciprocals.front();
-  }
-  return result;
 }
 
 /// Whether bent shapes exist above their critical forces only: near the straight shape, by the initial slope
@@ -286,27 +156,14 @@ Judgement stable_count(const Printed& printed, const Premises& given, int) {
                       "q and -q share one"}});
 }
 
-Judgement shapes_total(const Printed& printed, const Premises& given, int) {
-  const std::size_t count = 2 * proofs::distinct_critical_forces(unit_chain(given));
-  return judge_word(printed.at(0), std::to_string(count), fmt::format("{} shapes", count),
-                    {{EvidenceKind::exact, "two for each distinct root of det(A F + B), n = 4"}});
-}
-
 }  // namespace
 
 Checks claims::four_link() {
   return {
       {"unit-norm", norms},
-      {"four-link-polynomial", polynomial},
-      {"four-link-roots", all_eigenvalues},
       {"three-nonzero-roots", nonzero_roots},
-      {"four-link-shapes", shapes_total},
       {"four-link-stable-shapes", stable_count},
       {"straight-below-critical", straight_below},
-      {"table-3-signs", patterns},
-      {"table-3-stability", stabilities},
-      {"table-3-factors", factors},
-      {"table-3-forces", forces},
   };
 }
 

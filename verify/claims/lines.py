@@ -9,7 +9,7 @@ import re
 import sys
 
 ENTRY = re.compile(r'\{"([\w.-]+)",\s*(?:\[\]\([^)]*\)\s*\{\s*return )?(\w+)')
-KIND = re.compile(r'\{"([a-z ]+)", "(\w+)", generic::(\w+)\}')
+KIND = re.compile(r'\{"([a-z -]+)", "(\w+)", generic::(\w+)\}')
 FUNCTION = re.compile(r"^Judgement (\w+)\(", re.MULTILINE)
 
 

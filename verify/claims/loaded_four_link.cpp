@@ -140,10 +140,6 @@ Judgement stable_signs(const HeldChain& chain, const Rational& d, const Printed&
                     proofs::to_exact(d), found)}});
 }
 
-Judgement u_signs(const Printed& printed, const Premises& given, int) {
-  return stable_signs(u_chain(given), given.exact("fig-11-deflection"), printed);
-}
-
 /// The stable shapes on the sheet q_4 > 0 of the figure: imprecise where one of several is printed.
 Judgement z_signs(const Printed& printed, const Premises& given, int) {
   const Rational d = given.exact("fig-13-deflection");
@@ -272,7 +268,6 @@ Checks claims::loaded_four_link() {
       {"table-1-z-shape", table1_origin},
       {"initial-displacement", initial_displacement},
       {"eq-11-12", loaded_deflection},
-      {"fig-11-shape", u_signs},
       {"fig-11-continuity", continuity_proof},
       {"fig-12-lateral", u_forces},
       {"fig-14-lateral", z_forces},

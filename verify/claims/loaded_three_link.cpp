@@ -250,13 +250,13 @@ Judgement feasible(const Printed& printed, const Premises& given, int) {
       if (letter(one) == name) (one.negative_directions == 0 ? stable : unstable).emplace_back(name);
     }
   }
-  const std::string feasible = fmt::format("{}", fmt::join(stable, " and ")),
-                    others = fmt::format("{}", fmt::join(unstable, ", "));
-  return judge_list(
-      printed, {feasible, others},
-      fmt::format("feasible, which section 2 says of the stable ones, are {}, and unfeasible {}", feasible,
-                  others),
-      {of_fig7_chain(given, "stable are " + feasible)});
+  const auto named = [](const std::vector<std::string>& list) {
+    return list.size() == 1 ? "shape " + list.front() : fmt::format("shapes ({})", fmt::join(list, ", "));
+  };
+  return judge_list(printed, {"feasible " + named(stable), "unfeasible " + named(unstable)},
+                    fmt::format("section 2 calls the stable shapes feasible: these are {}, not {}",
+                                fmt::join(stable, " and "), fmt::join(unstable, " and ")),
+                    {of_fig7_chain(given, fmt::format("stable are {}", fmt::join(stable, " and ")))});
 }
 
 /// How many equilibria of the chain of Fig. 7 have the least energy.

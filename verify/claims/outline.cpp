@@ -32,7 +32,7 @@ std::pair<std::vector<std::string>, std::string> sections_on(const std::vector<s
 Judgement contents(const Printed& printed, int) {
   const auto [found, headings] = sections_on({"Buckling", "the non-straight", "the straight", "Conclusions"});
   return judge_list(printed, found,
-                    fmt::format("they are {}: section 5 is the discussion", fmt::join(found, ", ")),
+                    fmt::format("they are sections {}, by their headings", fmt::join(found, ", ")),
                     {{EvidenceKind::exact, headings}});
 }
 
@@ -42,8 +42,11 @@ Judgement on_configurations(const Printed& printed, int) {
   const bool next = found.size() == 1 && found.front() == "3";
   const std::string words = next ? "the following section that concentrates"
                                  : fmt::format("sections {} that concentrate", fmt::join(found, " and "));
-  return judge_word(printed.at(0), words, fmt::format("they are sections {}", fmt::join(found, " and ")),
-                    {{EvidenceKind::exact, headings}});
+  return judge_word(
+      printed.at(0), words,
+      fmt::format("non-straight and straight initial configurations are the matter of sections {}",
+                  fmt::join(found, " and ")),
+      {{EvidenceKind::exact, headings}});
 }
 
 /// The premises of a section's claims.
@@ -80,20 +83,6 @@ Judgement made_of(const Printed& printed, int) {
                                                        fmt::join(chains, ", "))}});
 }
 
-/// How many things a symbol is: sine in (7), vector in (28), where both print it.
-Judgement meanings_of_s0(const Printed& printed, int) {
-  std::size_t meanings = 0;
-  for (const char* const where : {"eq-7-names", "eq-31-33"}) {
-    const Printed& symbols = printed_in_paper(where);
-    meanings += std::count(symbols.begin(), symbols.end(), "S0") > 0 ? 1 : 0;
-  }
-  const std::string found = std::to_string(meanings);
-  return {printed.at(0) == found ? Verdict::confirmed : Verdict::convention,
-          printed.at(0) == found ? "" : "S_0 is sin phi in (7), and a vector in (28) to (33)",
-          {{EvidenceKind::exact, "the symbol is printed among those of (7), and in (33)"}},
-          ""};
-}
-
 }  // namespace
 
 Checks claims::outline() {
@@ -101,7 +90,6 @@ Checks claims::outline() {
       {"outline", contents},
       {"following-section", on_configurations},
       {"fig-4-section", section_of_figure_4},
-      {"symbol-s0", meanings_of_s0},
       {"tensegrity", made_of},
   };
 }

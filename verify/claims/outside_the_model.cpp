@@ -37,8 +37,8 @@ Judgement coupled(const Printed& printed, int) {
   const std::string found = !bends ? "always" : straight_without ? "without coupling" : "never";
   Judgement result = judge_word(
       printed.at(0), found,
-      "true where axial and bending compliance are not coupled: a link in which they are turns by " +
-          proofs::text(turn) + " under an axial force F, to first order, from the smallest on",
+      "true where axial and bending compliance are not coupled: a link in which they are coupled turns by " +
+          proofs::text(turn) + " under any axial force F, to first order",
       {{EvidenceKind::symbolic,
         "one link, energy kappa u^2/2 + c u q + k q^2/2 less the work of an axial force F: "
         "it turns by " +

@@ -117,32 +117,6 @@ Judgement stiffness_variable(const Printed& printed, const Premises& given, int)
           ""};
 }
 
-/// The signs of the joint angles for small deflections, and where the first of them changes.
-Judgement z_keeps(const Printed& printed, const Premises& given, int digits) {
-  const std::vector<proofs::CertifiedEquilibrium> ends =
-      states(z_path(given), {Rational(7, 10), Rational(3, 2)});
-  const std::string found = signs(ends[0]), last = signs(ends[1]);
-  Rational until(3, 2);
-  std::string leaves = "not up to " + in_lengths(until), value;
-  for (std::size_t joint = 0; joint < found.size() && joint < last.size(); ++joint) {
-    if (found[joint] == last[joint]) continue;
-    const proofs::Located at = straightens_at(z_path(given), joint, Rational(7, 10), Rational(3, 2));
-    leaves = fmt::format("at {} L, where joint {} straightens", at.str(6), joint + 1);
-    value = located(at, digits);
-    until = proofs::exactly(at) - Rational(1, 1000);
-  }
-  const bool always =
-      z_path(given).everywhere(0, until, [&](const auto& one) { return signs(one) == found; });
-  Judgement result = judge_word(
-      printed.at(0), always ? found : "changing", "the signs of the joint angles are " + found,
-      {{EvidenceKind::interval,
-        fmt::format("proved branch from 0 to {:.6g} L, in enclosures of all its states: the signs are {}",
-                    from_rational<double>(until), found)},
-       {EvidenceKind::mp50, "it leaves the Z-shape " + leaves + ", located in 64 digits"}});
-  result.value = value;
-  return result;
-}
-
 /// Whether a state is certainly unstable under the force that holds it, as a dead load: the second variation
 /// sum k_i (v_i - v_{i-1})^2 + sum L_i (Fx cos theta_i + Fy sin theta_i) v_i^2 is negative for some turns v
 /// of the links.
@@ -196,27 +170,6 @@ Judgement under_force(const Printed& printed, const Premises& given, int) {
         "certified censuses: fewer are stable under the dead force, for the second variation is negative "
         "for some turns of the links of " +
             (list.empty() ? "none" : list)}});
-}
-
-Judgement several(const Printed& printed, int digits) {
-  const Rational second(11, 10), third(-3, 2), last(7, 5);
-  const HeldChain chain = held(Chain<Interval>({1, 1, 1}, {0, 1, 2}, {0, Interval(second), Interval(third)}));
-  const SlowPath& path = chain.compressed(from_rational<double>(last));
-  const auto points = path.of_kind(EventKind::quasi_buckling);
-  const std::string count = std::to_string(path.softest());
-  Judgement result =
-      judge_word(printed.at(0), path.softest() > 1 ? "possible" : "open", "they exist",
-                 {{EvidenceKind::interval,
-                   fmt::format("three links, passive base, the last joint twice as stiff, rest angles {} and "
-                               "{}: {} minima of the "
-                               "tangent stiffness up to {}",
-                               proofs::to_exact(second), proofs::to_exact(third), count, in_lengths(last))},
-                  path.evidence(),
-                  {EvidenceKind::mp50,
-                   fmt::format("{} points of least stiffness located in 64 digits", points.size())}});
-  for (const auto& event : points)
-    result.value += (result.value.empty() ? "" : "; ") + located(event.point.load, digits);
-  return result;
 }
 
 /// Which torques make (8) give no force in the unloaded shapes of Table 1.
@@ -307,14 +260,12 @@ Checks claims::quasi_buckling() {
       {"fig-14-smooth", z_smooth},
       {"fig-14-soft", z_soft},
       {"fig-14-parts", z_two_parts},
-      {"fig-14-shape", z_keeps},
       {"fig-14-fast", fast},
       {"fig-14-sign", stiffness_variable},
       {"eq-8-torques", torques_from_rest},
       {"given-force-equations", equations_of_8},
       {"given-force", under_force},
       {"single-point", most_points},
-      {"several-points", several},
   };
 }
 

@@ -42,7 +42,7 @@ const Place places[] = {
     {"(35)", "eq-35-force", 0, "1/lambda", 1},
     {"Table 2", "table-2-row-1", 0, "1.0822", 1},
     {"(36)", "eq-36", 0, "1/max|lambda|", 1},
-    {"Table 3", "table-3-forces", 1, "0.9240", 1},
+    {"Table 3", "table-3-forces", 0, "0.9240", 1},
     {"step 4", "algorithm-1-step-4", 0, "1/max|lambda|", 1},
 };
 
@@ -120,8 +120,8 @@ Judgement lowest_force_at(const std::string& place, const Printed& printed, cons
   if (result.verdict != Verdict::confirmed)
     result.truth =
         "F_x^0 = +1/max|lambda_i|: every non-zero lambda_i is negative, so that (35) makes every force "
-        "positive; of "
-        "the chain of the example the lowest is " +
+        "positive, "
+        "the lowest of the example " +
         certified_decimal(lowest, 4);
   result.evidence.insert(result.evidence.begin(),
                          Evidence::by_checked_theorem("Definiteness", {"eigenvalues.eigenvalues"},
@@ -146,8 +146,8 @@ std::string ways_to_agree(const Signs& signs) {
   for (const auto& set : corrections(signs)) {
     Signs turned = signs;
     for (const std::string& place : set) turned[place] *= -1;
-    text += fmt::format("{} {} turned, F_x being {} in compression",
-                        text.empty() ? "; all signs agree with those of" : ", or with those of",
+    text += fmt::format("{} of {} turned, F_x being {} in compression",
+                        text.empty() ? ". All signs agree with those" : "; or with those",
                         fmt::join(set, ", "), turned.at("Table 3") > 0 ? "positive" : "negative");
   }
   return text;

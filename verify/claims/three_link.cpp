@@ -2,6 +2,7 @@
 /// Section 4.1: the straight three-link chain with a passive base joint, equations (13) to (20).
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <plumbline/chain/strain_energy.hpp>
 #include <plumbline/straight/critical_force.hpp>
@@ -91,42 +92,6 @@ bool balanced(const proofs::SymbolicShape& s, const Forces& f) {
   return true;
 }
 
-Judgement solution_u(const Printed& printed, int) {
-  const Forces f = solve(u_shape());
-  if (!balanced(u_shape(), f)) throw Error("U-shape", "no equilibrium", "one for every phi");
-  return judge_formulas(stretched_formulas(), printed, {f.Fx, f.Fy}, {"F_x", "F_y"},
-                        "solution of all three equilibrium equations for every phi");
-}
-
-/// Printed limits against the critical force of the m-th mode of the chain.
-Judgement limit_of(const proofs::SymbolicShape& s, const Printed& printed, const Premises& given,
-                   std::size_t m) {
-  const ex limit = proofs::limit_at_zero(solve(s).Fx, phi());
-  Judgement result = judge_formulas(stretched_formulas(), printed, {limit}, {"the limit"},
-                                    "series of the exact solution: " + proofs::text(limit));
-  Rational F;
-  std::istringstream(proofs::text((limit * L() / k()).normal())) >> F;
-  const Rational nudge(1, 1000000);
-  const std::size_t below = count_below(given.exact_chain("three-links"), Rational(F - nudge));
-  const std::size_t above = count_below(given.exact_chain("three-links"), Rational(F + nudge));
-  if (below != m - 1 || above != m)
-    throw Error("critical force", "different results of limit and recursion", "agreement");
-  result.evidence.push_back(
-      {EvidenceKind::exact,
-       fmt::format("recursion on the chain: {} critical forces below it less {}, {} below it "
-                   "plus that",
-                   below, proofs::to_exact(nudge), above)});
-  result.value = proofs::text(limit);
-  return result;
-}
-
-Judgement limit_u(const Printed& printed, const Premises& given, int) {
-  return limit_of(u_shape(), printed, given, 1);
-}
-Judgement limit_z(const Printed& printed, const Premises& given, int) {
-  return limit_of(z_shape(), printed, given, 2);
-}
-
 Judgement no_exact_solution(const Printed& printed, int) {
   const Forces f = solve(z_shape());
   const bool solvable = balanced(z_shape(), f);
@@ -147,33 +112,6 @@ Judgement no_exact_solution(const Printed& printed, int) {
                                             "equation 1: the residual {} identically; F "
                                             "parallel to the end point: {}",
                                             solvable ? "vanishes" : "does not vanish", along_line)}});
-}
-
-Judgement asymptotic_z(const Printed& printed, int) {
-  const Forces exact = solve(z_shape());
-  const ex printed_Fx = stretched_formulas().parse(printed.at(0));
-  const ex printed_Fy = stretched_formulas().parse(printed.at(1));
-  const bool same_limit =
-      proofs::identical(proofs::limit_at_zero(printed_Fx, phi()), proofs::limit_at_zero(exact.Fx, phi())) &&
-      proofs::identical(proofs::limit_at_zero(printed_Fy, phi()), proofs::limit_at_zero(exact.Fy, phi()));
-  const bool same = proofs::identical(printed_Fx, exact.Fx) && proofs::identical(printed_Fy, exact.Fy);
-  // on the shapes (phi, -psi, psi) that keep y = 0: F_x = k psi / (L sin phi), F_y = 0, psi = phi + asin(2
-  // sin phi)
-  const ex psi = phi() + GiNaC::asin(2 * sin(phi()));
-  const ex on_axis = k() * psi / (L() * sin(phi()));
-  const auto second = [](const ex& e) {
-    return proofs::text(proofs::series_coefficient(e * L() / k(), phi(), 2));
-  };
-  return {same || same_limit ? Verdict::confirmed : Verdict::refuted,
-          same || same_limit ? "" : "F_x -> 3k/L, F_y -> 0",
-          {{EvidenceKind::symbolic,
-            fmt::format("limit of F_x: {} against {}. The next terms differ: coefficients of phi^2 of F_x "
-                        "L/k: printed {}, "
-                        "exact at (phi, -3phi, 3phi) {}, on the shapes (phi, -psi, psi) that keep y = 0 {}",
-                        proofs::text(proofs::limit_at_zero(printed_Fx, phi())),
-                        proofs::text(proofs::limit_at_zero(exact.Fx, phi())), second(printed_Fx),
-                        second(exact.Fx), second(on_axis))}},
-          ""};
 }
 
 Judgement two_shapes(const Printed& printed, const Premises& given, int) {
@@ -310,12 +248,8 @@ Checks claims::three_link() {
   return {
       {"u-shape-closes", closes},
       {"z-shape-closes", closes},
-      {"eq-15", solution_u},
       {"u-curve-stable", stable_curve},
-      {"eq-16", limit_u},
       {"z-no-exact-solution", no_exact_solution},
-      {"eq-19", asymptotic_z},
-      {"eq-20", limit_z},
       {"three-link-two-shapes", two_shapes},
       {"column-two-shapes", column_shapes},
       {"agrees-with-fig-5", curves_begin},

@@ -33,47 +33,6 @@ struct TwoLink {
   }
 };
 
-Judgement equilibrium(const Printed& printed, int) {
-  const TwoLink m;
-  const ex residual = m.formulas.parse(printed.at(0)) - m.formulas.parse(printed.at(1));
-  const ex slope = m.derivative(m.potential);
-  const bool right = proofs::proportional(residual, slope);
-  return {
-      right ? Verdict::confirmed : Verdict::refuted,
-      right ? "" : "equilibrium is where " + proofs::text(slope) + " = 0",
-      {{EvidenceKind::symbolic, "dV/dq = " + proofs::text(slope) + " from the geometry of two equal links"}},
-      ""};
-}
-
-Judgement force(const Printed& printed, int) {
-  const TwoLink m;
-  return judge_formulas(m.formulas, printed, {m.force}, {"F(q)"},
-                        "F = U'(q) / Delta'(q), the root of V'(q) = 0");
-}
-
-Judgement critical_force(const Printed& printed, int) {
-  const TwoLink m;
-  const ex straight = m.force.subs(m.alpha == 0);
-  const ex limit = proofs::limit_at_zero(straight, m.q);
-  Judgement result = judge_formulas(m.formulas, printed, {limit}, {"F_c"},
-                                    "series of F(q) at alpha = 0: " + proofs::text(limit) + " + O(q^2)");
-  // an independent way: the general method on the same chain, which is two links on a passive base
-  const Chain<Rational> chain({1, 1}, {0, 1});
-  const Rational F = 2;
-  const Rational nudge(1, 1000000);
-  result.evidence.push_back(
-      {EvidenceKind::exact,
-       fmt::format(
-           "recursion on two equal links: {} critical force below the limit less {}, {} below it and that",
-           count_below(chain, Rational(F - nudge)), proofs::to_exact(nudge),
-           count_below(chain, Rational(F + nudge)))});
-  if (count_below(chain, Rational(F - nudge)) != 0 || count_below(chain, Rational(F + nudge)) != 1) {
-    throw Error("critical force of two links", "different results of limit and recursion", "agreement");
-  }
-  result.value = proofs::text(limit);
-  return result;
-}
-
 /// Sign of dF/dq = 2k [sin(a+q) - q cos(a+q)] / (L sin(a+q)^2), up to the positive factor.
 Interval force_slope(const Interval& q, const Interval& alpha) {
   return sin(alpha + q) - q * cos(alpha + q);
@@ -222,18 +181,6 @@ Judgement stable_up_to(const Printed& printed, int) {
           ""};
 }
 
-Judgement bifurcation(const Printed& printed, int) {
-  const TwoLink m;
-  const ex straight = m.force.subs(m.alpha == 0);
-  const ex second = proofs::series_coefficient(straight, m.q, 2) * m.L / m.k;
-  const std::string kind = second.info(GiNaC::info_flags::positive) ? "supercritical" : "subcritical";
-  return judge_word(
-      printed.at(0), kind, "the bifurcation is " + kind,
-      {{EvidenceKind::symbolic, "F(q) = (k/L)(2 + " + proofs::text(second) +
-                                    " q^2 + ...) is even in q: a pitchfork, and the bent shapes exist "
-                                    "above F_c, as for Euler's column"}});
-}
-
 /// Whether the deflection jumps when F passes F_c, for alpha = 0: its limit from above, and its slope.
 Judgement onset(const Printed& printed, int) {
   const TwoLink m;
@@ -249,9 +196,11 @@ Judgement onset(const Printed& printed, int) {
       verdict,
       verdict == Verdict::confirmed
           ? ""
-          : "the shape changes continuously: above F_c the deflection grows from zero as Delta = (" +
+          : "the shape changes continuously: of the two links of Fig. 1 with alpha = 0 the deflection grows "
+            "from zero as Delta = (" +
                 proofs::text(slope) +
-                ") (F - F_c). What changes suddenly is the stiffness, from infinite to the reciprocal of "
+                ") (F - F_c) just above F_c. The stiffness changes suddenly, from infinite to the reciprocal "
+                "of "
                 "that slope",
       {{EvidenceKind::symbolic, "two links, alpha = 0: limits for q -> 0 of Delta, " + proofs::text(limit) +
                                     ", and of Delta / (F - F_c), " + proofs::text(slope)}},
@@ -289,11 +238,9 @@ Judgement pseudoinverse(const Printed& printed, int) {
 
 Checks claims::two_link() {
   return {
-      {"two-link-equilibrium", equilibrium},  {"eq-1-force", force},
-      {"straight-curve", straight_curve},     {"eq-2", critical_force},
-      {"energy-extrema", energy_extrema},     {"straight-stable", stable_up_to},
-      {"curved-monotonic", curved_monotonic}, {"curved-single-minimum", single_minimum},
-      {"two-link-bifurcation", bifurcation},  {"sudden-change", onset},
+      {"straight-curve", straight_curve},        {"energy-extrema", energy_extrema},
+      {"straight-stable", stable_up_to},         {"curved-monotonic", curved_monotonic},
+      {"curved-single-minimum", single_minimum}, {"sudden-change", onset},
       {"pseudoinverse", pseudoinverse},
   };
 }

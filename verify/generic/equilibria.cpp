@@ -5,8 +5,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <set>
 
-#include "verify/generic/quantities.hpp"
+#include "verify/generic/structures.hpp"
 #include "verify/judging/comparison.hpp"
 #include "verify/judging/sign.hpp"
 
@@ -72,18 +73,45 @@ std::string symmetry(const proofs::Census& census) {
   return turned && mirrored ? "half turn and mirror" : turned ? "half turn" : mirrored ? "mirror" : "neither";
 }
 
+std::string stability(const proofs::CertifiedEquilibrium& one) {
+  return one.negative_directions.value() == 0 ? "stable" : "unstable";
+}
+
 /// The signs of the joint angles and the stability of each, such as "+- stable".
 Printed shapes(const proofs::Census& census, std::size_t from) {
   Printed list;
-  for (const auto& one : census.equilibria)
-    list.push_back(signs(one, from) + (one.negative_directions.value() == 0 ? " stable" : " unstable"));
+  for (const auto& one : census.equilibria) list.push_back(signs(one, from) + " " + stability(one));
   return list;
+}
+
+/// The signs alone, of all or of those of least energy.
+Printed patterns(const proofs::Census& census, std::size_t from, bool least) {
+  Printed list;
+  for (const auto& one : census.equilibria)
+    if (!least || !certainly_less(census.equilibria.front().energy, one.energy))
+      list.push_back(signs(one, from));
+  return list;
+}
+
+/// Of the minima, saddles or maxima of the energy with the end point held.
+std::string stability_of(const Parameters& with, const proofs::Census& census, std::size_t directions) {
+  const std::string kind = with.text("of");
+  std::set<std::string> found;
+  for (const auto& one : census.equilibria) {
+    const std::size_t negative = one.negative_directions.value();
+    const std::string here = negative == 0 ? "minimum" : negative == directions ? "maximum" : "saddle";
+    if (here == kind) found.insert(stability(one));
+  }
+  if (found.empty()) with.wrong("no " + kind, "minimum, saddle or maximum, one that there is");
+  return *found.begin();
 }
 
 }  // namespace
 
 Judgement generic::equilibria(const Parameters& with, const Printed& printed, const Premises& given, int) {
-  with.known({"chain", "links", "deflection", "end", "compression", "asks", "from joint", "sign of q4"});
+  with.known({"chain", "links", "deflection", "end", "compression", "factor", "asks", "of", "from joint",
+              "sign of q4"});
+  if (given.has_structure(with.text("chain"))) return equilibria_of_structure(with, printed, given);
   const Premise premise = chain_with_links(with, given);
   const HeldChain chain = held_chain(premise);
   const auto [census, load] = loaded(with, given, chain);
@@ -93,7 +121,8 @@ Judgement generic::equilibria(const Parameters& with, const Printed& printed, co
       {EvidenceKind::interval,
        fmt::format("certified census of the chain {}, {} boxes: {}", load, census.boxes, types)}};
   const auto stated = [&](Judgement judgement, const std::string& has) {
-    judgement.statement = fmt::format("{}, {}, has {}", in_words(premise), load, has);
+    judgement.subject = in_words(premise);
+    judgement.statement = fmt::format("has, {}, {}", load, has);
     return judgement;
   };
   const auto there_are = [](const std::string& what) { return "there are " + what; };
@@ -114,14 +143,20 @@ Judgement generic::equilibria(const Parameters& with, const Printed& printed, co
   if (asks == "symmetry") {
     const std::string found = symmetry(census);
     return stated(judge_word(printed.at(0), found, "they are carried into each other by: " + found, evidence),
-                  fmt::format("{} equilibria, which are carried into each other by: {}", count, found));
+                  fmt::format("{} equilibria with the symmetry: {}", count, found));
   }
-  if (asks == "shapes") {
-    const Printed found = shapes(census, std::stoul(with.text("from joint", "1")) - 1);
+  if (asks == "stability") {
+    const std::string kind = with.text("of"), found = stability_of(with, census, chain.chain.size() - 2);
+    return judge_word(printed.at(0), found, fmt::format("a {} is {}", kind, found), evidence);
+  }
+  const std::size_t from = std::stoul(with.text("from joint", "1")) - 1;
+  if (asks == "shapes" || asks == "signs" || asks == "least energy") {
+    const Printed found = asks == "shapes" ? shapes(census, from) : patterns(census, from, asks != "signs");
     const std::string list = fmt::format("{}", fmt::join(found, ", "));
     return stated(judge_rows(printed, found, 1, "they are " + list, evidence), "the equilibria " + list);
   }
-  with.wrong("asks = '" + asks + "'", "types, kinds, count, more than, symmetry or shapes");
+  with.wrong("asks = '" + asks + "'",
+             "types, kinds, count, more than, symmetry, stability, shapes, signs or least energy");
 }
 
 }  // namespace plumbline::verify

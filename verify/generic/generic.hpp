@@ -38,8 +38,12 @@ Judgement formula(const Parameters& with, const Printed& printed, const Premises
 Judgement value(const Parameters& with, const Printed& printed, const Premises& given, int digits);
 /// The sign of a formula on a range (values.cpp).
 Judgement sign(const Parameters& with, const Printed& printed, const Premises& given, int digits);
+/// How many names one thing has, or meanings one name (values.cpp).
+Judgement names(const Parameters& with, const Printed& printed, const Premises& given, int digits);
 /// Critical forces, modes and eigenvalues of a straight chain (straight.cpp).
 Judgement modes(const Parameters& with, const Printed& printed, const Premises& given, int digits);
+/// How the force begins to change along the bent shapes of a mode (straight.cpp).
+Judgement post_buckling(const Parameters& with, const Printed& printed, const Premises& given, int digits);
 /// A closed form of the critical forces of a family of chains (straight.cpp).
 Judgement closed_form(const Parameters& with, const Printed& printed, const Premises& given, int digits);
 /// Whether the straight chain is stable under a force (straight.cpp).

@@ -92,12 +92,21 @@ BranchPoint<proofs::Located> place_of(const Parameters& with, const Premises& gi
   return events.front().point;
 }
 
-/// "a bifurcation", "joint 2 straightens".
+/// "a bifurcation", "joint 2 straight".
 std::string happening(const Parameters& with) {
   const std::string what = with.text("event");
-  return what == "joint straightens" ? fmt::format("joint {} straightens", with.text("joint"))
-         : what == "link levels"     ? "the first link is level"
+  return what == "joint straightens" ? fmt::format("joint {} straight", with.text("joint"))
+         : what == "link levels"     ? "its first link level"
                                      : "a " + what;
+}
+
+/// What a chain has whose path is found to be so: "a path that is smooth".
+std::string possession(const std::string& asks, const std::string& found) {
+  if (asks == "signs") return "joint angles of the signs " + found;
+  if (asks == "minima of the stiffness") return found + " minima of the stiffness";
+  if (found.starts_with("a ")) return found + " on its path";
+  const bool path = asks == "continuity" || asks == "smoothness";
+  return fmt::format("a {} that is {}", path ? "path" : asks, found);
 }
 
 /// "deflection 0.5, force 1.2".
@@ -138,10 +147,9 @@ Judgement generic::path(const Parameters& with, const Printed& printed, const Pr
   const std::string asks = with.text("asks");
   const auto word = [&](const std::string& found) {
     Judgement judgement = judge_word(printed.at(0), found, "it is " + found, {path.evidence()});
-    const bool plain = asks == "continuity" || asks == "smoothness";
+    judgement.subject = in_words(chain);
     judgement.statement =
-        fmt::format("{}, slowly compressed up to {}: {} {} {}", in_words(chain), with.text("to"),
-                    plain ? "its path" : "the " + asks, asks == "signs" ? "are" : "is", found);
+        fmt::format("has, slowly compressed up to {}, {}", with.text("to"), possession(asks, found));
     return judgement;
   };
   if (asks == "continuity") return word(path.continuity());
@@ -185,8 +193,9 @@ Judgement generic::event(const Parameters& with, const Printed& printed, const P
         names.push_back(name == "slopes" ? "slope" + std::string(one) : name);
   Judgement result = judge_decimals(printed, computed, names, "");
   if (result.verdict == Verdict::confirmed)
-    result.statement = fmt::format("{}, slowly compressed: {} at {}", in_words(chain), happening(with),
-                                   named(names, printed));
+    result.statement =
+        fmt::format("has, slowly compressed, {} at {}", happening(with), named(names, printed));
+  result.subject = in_words(chain);
   result.evidence = {{EvidenceKind::mp50, fmt::format("{}, located by Newton's method in 64 digits: {}",
                                                       with.text("event"), values)},
                      path.evidence()};

@@ -40,7 +40,7 @@ Premise with_links(const Premise& chain, std::size_t links) {
 }
 
 Premise chain_with_links(const Parameters& with, const Premises& given) {
-  const Premise& chain = given.at(with.text("chain"));
+  const Premise chain = given.guided(with.text("chain"));
   const auto length = chain.parts.find("length");
   const std::size_t stated = length == chain.parts.end() ? 0 : length->second.size();
   return with_links(chain, with.has("links") ? std::stoul(with.text("links")) : stated);

@@ -9,21 +9,25 @@
 #include <sstream>
 
 #include "proofs/exact/enclosure.hpp"
+#include "verify/chains/post_buckling.hpp"
 #include "verify/chains/straight_modes.hpp"
-#include "verify/generic/quantities.hpp"
+#include "verify/generic/structures.hpp"
 #include "verify/judging/comparison.hpp"
 #include "verify/judging/formula_value.hpp"
+#include "verify/judging/sign.hpp"
 
 namespace plumbline::verify {
 namespace {
 
-/// "F 1", "lambda 1", "factor 1", "Fy 1" of a mode from 1 on, "q 1 2" of its second joint.
+/// "F 1", "lambda 1", "factor 1", "Fy 1" of a mode from 1 on, "q 1 2" of its second joint; the two
+/// eigenvalues behind those of the modes are zero.
 Interval of_mode(const Parameters& with, const std::vector<CertifiedMode>& modes, const std::string& name) {
   std::istringstream words(name);
   std::string what;
   std::size_t mode = 0, joint = 1;
   words >> what >> mode;
   if (what == "q") words >> joint;
+  if (what == "lambda" && (mode == modes.size() + 1 || mode == modes.size() + 2)) return Interval(0);
   if (!words || mode == 0 || mode > modes.size() || joint == 0 || joint > modes[mode - 1].q.size())
     with.wrong("'" + name + "'", "a number of a mode, such as F 1, lambda 1, factor 1, Fy 1 or q 1 2");
   const CertifiedMode& one = modes[mode - 1];
@@ -64,10 +68,30 @@ Judgement generic::modes(const Parameters& with, const Printed& printed, const P
       "counts of critical forces by exact recursion bound each F to 60 digits; the rest of the "
       "mode from it in intervals");
   result.value = fmt::format("{}", fmt::join(values, "; "));
+  result.subject = in_words(chain);
   for (std::size_t i = 0; i < of.size() && result.verdict == Verdict::confirmed; ++i)
-    result.statement +=
-        fmt::format("{} {} = {}", i == 0 ? in_words(chain) + " has" : ",", with_index(of[i]), printed[i]);
+    result.statement += fmt::format("{} {} = {}", i == 0 ? "has" : ",", with_index(of[i]), printed[i]);
   return result;
+}
+
+/// On which side of its critical force the bent shapes of a mode begin.
+Judgement generic::post_buckling(const Parameters& with, const Printed& printed, const Premises& given,
+                                 int digits) {
+  with.known({"chain", "links", "mode"});
+  const Premise chain = chain_with_links(with, given);
+  const auto& modes = certified_modes(exact_chain(chain));
+  const std::size_t number = std::stoul(with.text("mode"));
+  if (number == 0 || number > modes.size()) with.wrong("mode " + with.text("mode"), "one of the chain's");
+  const CertifiedMode& mode = modes[number - 1];
+  const Interval curvature =
+      post_buckling_curvature(Premises({chain}).chain(chain.id), Mode<Interval>{mode.force, mode.q, mode.fy});
+  if (curvature.contains_zero()) with.wrong("a curvature whose sign is open", "one that is not zero");
+  const std::string found = certainly_positive(curvature) ? "supercritical" : "subcritical";
+  return judge_word(
+      printed.at(0), found, fmt::format("the bent shapes are {}", found),
+      {Evidence::by_theorem("Supercritical", "F = F_m + F_2 a^2 + … along the bent shapes of a mode"),
+       {EvidenceKind::interval, fmt::format("{}, mode {}, |v| = 1: F_2 = {}", in_words(chain), number,
+                                            certified_decimal(curvature, std::min(digits, 10)))}});
 }
 
 Judgement generic::closed_form(const Parameters& with, const Printed& printed, const Premises& given, int) {
@@ -76,7 +100,7 @@ Judgement generic::closed_form(const Parameters& with, const Printed& printed, c
   if (links.size() != 2) with.wrong("links", "the fewest and the most");
   static const proofs::Formulas names({"n", "m", "L", "l", "k", "pi"});
   const GiNaC::ex formula = names.parse(with_fractions(printed.at(0)));
-  const Premise& pattern = given.at(with.text("chain"));
+  const Premise pattern = given.guided(with.text("chain"));
   constexpr int digits = 40;
   std::size_t tried = 0;
   std::string first_wrong;
@@ -112,6 +136,7 @@ Judgement generic::closed_form(const Parameters& with, const Printed& printed, c
 
 Judgement generic::stability(const Parameters& with, const Printed& printed, const Premises& given, int) {
   with.known({"chain", "links", "force"});
+  if (given.has_structure(with.text("chain"))) return stability_of_structure(with, printed, given);
   const Chain<Rational> chain = exact_chain(chain_with_links(with, given));
   const Rational force = exact_quantity(with.text("force"), given);
   const std::size_t below = count_below(chain, force);

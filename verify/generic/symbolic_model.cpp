@@ -102,6 +102,10 @@ ex SymbolicModel::named(const std::string& name) const {
   const std::string digits = name.substr(1);
   const bool numbered = !digits.empty() && digits.find_first_not_of("0123456789") == std::string::npos;
   const proofs::SymbolicChain straight{length_, stiffness_};
+  if (name.starts_with("chi") && name.size() == 4) {
+    const ex lambda = GiNaC::realsymbol("lambda");
+    return proofs::characteristic_polynomial(straight, lambda).expand().coeff(lambda, name[3] - '0').normal();
+  }
   if (numbered && name[0] == 'J') return entry(jacobian(shape), digits);
   if (numbered && name[0] == 'S') return entry(proofs::matrix_S1(straight), digits);
   if (numbered && name[0] == 'A') return entry(proofs::matrix_A(straight), digits);

@@ -10,7 +10,7 @@
 ///     E         the strain energy
 ///     T1 … Tn   the rows of J^T F + M
 ///     J11 … J2n, A11 …, B11 …, S11 …, z1 … zn  entries of the Jacobian, and of (33), S1 and S0 of a straight
-///     chain
+///     chain; chi0 … the coefficients of its characteristic polynomial det(lambda I - B^-1 A)
 
 #include <ginac/ginac.h>
 

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <plumbline/base/error.hpp>
+#include <set>
 
 #include "verify/generic/generic.hpp"
 #include "verify/generic/symbolic_model.hpp"
@@ -16,7 +17,7 @@ namespace plumbline::verify {
 
 Judgement generic::value(const Parameters& with, const Printed& printed, const Premises& given, int digits) {
   with.known({"chain", "of", "symbols", "shape", "at"});
-  const SymbolicModel model(given.at(with.text("chain")), with.list("symbols"), with.list("shape"));
+  const SymbolicModel model(given.guided(with.text("chain")), with.list("symbols"), with.list("shape"));
   Values values;
   for (const std::string& one : with.list("at")) {
     const std::size_t equals = one.find('=');
@@ -61,7 +62,7 @@ std::string word_of(const Parameters& with, SignOnRange sign) {
 
 Judgement generic::sign(const Parameters& with, const Printed& printed, const Premises& given, int) {
   with.known({"chain", "of", "symbols", "shape", "by", "range"});
-  const SymbolicModel model(given.at(with.text("chain")), with.list("symbols"), with.list("shape"));
+  const SymbolicModel model(given.guided(with.text("chain")), with.list("symbols"), with.list("shape"));
   const Printed range = with.list("range");
   if (range.size() != 3) with.wrong("range", "a name, from and to");
   const auto symbol = [&](const std::string& name) {
@@ -85,6 +86,29 @@ Judgement generic::sign(const Parameters& with, const Printed& printed, const Pr
   result.statement =
       fmt::format("{} is {} for {} from {} to {}", with.text("of"), what, range[0], range[1], range[2]);
   return result;
+}
+
+Judgement generic::names(const Parameters& with, const Printed& printed, const Premises& given, int) {
+  with.known({"of", "in"});
+  std::set<std::string> found;
+  std::vector<std::string> list;
+  for (const std::string& id : with.list("in")) {
+    const Premise& premise = given.at(id);
+    const auto value = premise.parts.find("value");
+    const std::string name = value == premise.parts.end() ? "" : value->second.front();
+    if (name.empty() || premise.quote.find(name) == std::string::npos)
+      with.wrong("premise " + id + " with the value '" + name + "'", "words of its quote");
+    if (found.insert(name).second) list.push_back(fmt::format("{} in {}", name, premise.where));
+  }
+  const std::string count = std::to_string(found.size()),
+                    all = fmt::format("{} is {}", with.text("of"), fmt::join(list, ", and "));
+  const bool right = printed.at(0) == count;
+  return {right                  ? Verdict::confirmed
+          : printed.at(0) == "1" ? Verdict::convention
+                                 : Verdict::refuted,
+          right ? "" : all,
+          {{EvidenceKind::exact, "as quoted: " + all}},
+          ""};
 }
 
 }  // namespace plumbline::verify

@@ -50,9 +50,9 @@ struct Judgement {
   std::string truth;               ///< the true statement where the printed one is not; else empty
   std::vector<Evidence> evidence;  ///< strongest first
   std::string value;               ///< the number that the claim is about, where there is one; else empty
-  Printed favoured = {};  ///< the print in the favourable reading that was judged; empty where literal
-  std::string statement =
-      {};  ///< what is so, right print or wrong, in a sentence; empty where a check has none
+  Printed favoured = {};       ///< the print in the favourable reading that was judged; empty where literal
+  std::string subject = {};    ///< of the statement, "the chain with …"; empty where it is a whole sentence
+  std::string statement = {};  ///< what is so, right print or wrong; empty where a check has none
 };
 
 /// Computes first, from what is given, then compares with what is printed; the same check judges any altered

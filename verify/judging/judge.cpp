@@ -16,6 +16,7 @@ namespace {
 /// The sentences of a judgement in the notation of print.
 Judgement set(Judgement judgement) {
   judgement.truth = in_notation(judgement.truth);
+  judgement.subject = in_notation(judgement.subject);
   judgement.statement = in_notation(judgement.statement);
   for (Evidence& one : judgement.evidence) one.detail = in_notation(one.detail);
   return judgement;

@@ -5,6 +5,7 @@
 #include <plumbline/chain/kinematics.hpp>
 
 #include "proofs/exact/decimal.hpp"
+#include "statement/chain_file.hpp"
 #include "verify/judging/formula_value.hpp"
 
 namespace plumbline::verify {
@@ -39,14 +40,43 @@ const Premise& Premises::at(const std::string& id) const {
   return *found;
 }
 
+statement::PlaneChain Premises::stated(const std::string& id) const {
+  const auto file = at(id).parts.find("chain");
+  if (file == at(id).parts.end()) throw Error("premise " + id, "no chain file", "its text as `chain`");
+  return statement::parse_plane_chain(file->second.front(), "premise " + id);
+}
+
+bool Premises::has_structure(const std::string& id) const {
+  return at(id).parts.contains("chain") && !stated(id).plain;
+}
+
+Premise Premises::guided(const std::string& id) const {
+  const Premise& premise = at(id);
+  if (!premise.parts.contains("chain")) return premise;
+  if (has_structure(id))
+    throw Error("premise " + id, "a chain file with ends, supports, loads or masses of its own",
+                "one without, for this check: its end point is guided, and compressed");
+  Premise guided{premise.id, premise.where, premise.quote, {}};
+  const auto in_text = [](const std::vector<Rational>& numbers) {
+    Printed list;
+    for (const Rational& number : numbers) list.push_back(number.str());
+    return list;
+  };
+  const Chain<Rational> chain = stated(id).structure.chain;
+  guided.parts = {{"length", in_text(chain.length())},
+                  {"stiffness", in_text(chain.stiffness())},
+                  {"rest", in_text(chain.rest())}};
+  return guided;
+}
+
 Chain<Interval> Premises::chain(const std::string& id) const {
-  const Premise& p = at(id);
+  const Premise p = guided(id);
   return Chain<Interval>(numbers(part(p, "length"), number), numbers(part(p, "stiffness"), number),
                          numbers(part(p, "rest"), number));
 }
 
 Chain<Rational> Premises::exact_chain(const std::string& id) const {
-  const Premise& p = at(id);
+  const Premise p = guided(id);
   const auto read = [&](const std::string& text) { return fraction(text, id); };
   return Chain<Rational>(numbers(part(p, "length"), read), numbers(part(p, "stiffness"), read),
                          numbers(part(p, "rest"), read));

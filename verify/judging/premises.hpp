@@ -8,6 +8,10 @@
 #include <string>
 #include <vector>
 
+namespace plumbline::statement {
+struct PlaneChain;
+}
+
 namespace plumbline::verify {
 
 /// What the paper prints, as text that a check can read: formulas, decimals, counts, words.
@@ -32,6 +36,13 @@ class Premises {
   /// \throws Error where the claim has no such premise
   [[nodiscard]] const Premise& at(const std::string& id) const;
 
+  /// The chain that a chain file states. \throws Error where the premise has none
+  [[nodiscard]] statement::PlaneChain stated(const std::string& id) const;
+  /// Whether that has ends, supports, loads or masses of its own.
+  [[nodiscard]] bool has_structure(const std::string& id) const;
+  /// A chain by its lists, its end point guided; of a chain file that says nothing of ends and loads its own.
+  /// \throws Error for a chain file with other ends, supports, loads or masses
+  [[nodiscard]] Premise guided(const std::string& id) const;
   [[nodiscard]] Chain<Interval> chain(const std::string& id) const;
   /// \throws Error where an entry is no fraction
   [[nodiscard]] Chain<Rational> exact_chain(const std::string& id) const;

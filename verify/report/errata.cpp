@@ -46,10 +46,14 @@ class KnownVerdicts {
   std::map<std::string, Judged> known_;
 };
 
-/// A passage of the paper: an equation or a table by its number, a sentence by its words.
+/// A passage of the paper: an equation by its number, of a table what is read there, a sentence by its words.
 std::string passage(const Claim& claim) {
-  static const std::regex numbered("[^,]+, (\\([0-9]+\\)( to \\([0-9]+\\))?|Table [0-9]+)");
-  if (std::regex_match(claim.where, numbered)) return claim.where;
+  static const std::regex equation("[^,]+, (\\([0-9]+\\)( to \\([0-9]+\\))?)"),
+      table("[^,]+, (Table [0-9]+)");
+  std::smatch place;
+  if (std::regex_match(claim.where, place, equation)) return place[1];
+  if (std::regex_match(claim.where, place, table))
+    return fmt::format("{} ({})", claim.reading, place[1].str());
   return fmt::format("“{}” ({})", claim.quote, claim.where);
 }
 
@@ -92,17 +96,22 @@ class Examination {
     const bool confirmed = verdicts_.confirmed(id);
     const std::string sentence = !found ? "" : confirmed ? found->statement : found->truth;
     const bool fact = verdicts_.of(id).claim.quote.empty();
+    const std::string subject = found && confirmed ? found->subject : "";
     if (sentence.empty())
       problem(fmt::format("the reason {} says nothing", id));
     else if (fact && !confirmed)
       problem(fmt::format("the fact {} is {}", id, name(found->verdict)));
     else
-      holds_.reason.push_back(as_sentence(sentence));
+      holds_.reason.push_back(as_sentence(subject.empty()       ? sentence
+                                          : subject == subject_ ? "it " + sentence
+                                                                : subject + " " + sentence));
+    subject_ = subject;
   }
 
   const Erratum& said_;
   KnownVerdicts& verdicts_;
   JudgedErratum& holds_;
+  std::string subject_;  ///< of the reason before
 };
 
 Severity severity_of(const Erratum& erratum, const std::vector<Judged>& claims) {

@@ -105,18 +105,25 @@ std::string in_section(const std::string& place) {
   return (number ? "Section " : "") + place;
 }
 
+/// "Section 5, after (12); also Section 6, sentence 2".
+std::string places(const Claim& claim) {
+  std::string all = in_section(claim.where);
+  for (const std::string& other : claim.also)
+    all += (&other == &claim.also.front() ? "; also " : "; ") + in_section(other);
+  return all;
+}
+
 /// The claims of an item: each correction at its place, or the words that a remark is about.
 std::vector<std::string> passages(const JudgedErratum& one, const Paper& paper, const Markup& m) {
   std::vector<std::string> parts;
   for (const Correction& each : one.corrections)
     parts.push_back(
-        fmt::format("{}: {} {} {} {}.", m.text(with_marks(in_section(place_of(paper.claim(each.claim))))),
+        fmt::format("{}: {} {} {} {}.", m.text(with_marks(places(paper.claim(each.claim)))),
                     fmt::format(fmt::runtime(m.emphasis), "for"), m.text("“" + each.printed + "”"),
                     fmt::format(fmt::runtime(m.emphasis), "read"), m.text("“" + each.read + "”")));
   if (!one.corrections.empty()) return parts;
   for (const Judged& each : one.claims) {
-    const std::string words =
-        m.text(with_marks(in_section(place_of(each.claim)) + ": “" + each.claim.quote + "”."));
+    const std::string words = m.text(with_marks(places(each.claim) + ": “" + each.claim.quote + "”."));
     if (std::find(parts.begin(), parts.end(), words) == parts.end()) parts.push_back(words);
   }
   return parts;

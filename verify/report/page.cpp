@@ -48,14 +48,16 @@ std::vector<std::string> left_sides(const std::string& quote, std::size_t printe
   return sides.size() == printed ? sides : std::vector<std::string>(printed);
 }
 
-/// The printed formulas, set, with their left sides; none where a part is no formula.
+/// The printed formulas, set, with their left sides, or as sides of equations; none where a part is no
+/// formula.
 Json formulas(const Claim& claim, const Printed& printed) {
-  const std::vector<std::string> sides = left_sides(claim.quote, printed.size());
+  const bool sides_of_equations = claim.stated.with.contains("up to");
+  const std::vector<std::string> sides = left_sides(sides_of_equations ? "" : claim.quote, printed.size());
   Json list = Json::array();
   for (std::size_t i = 0; i < printed.size(); ++i) {
     const auto set = page::as_mathml(printed[i]);
     if (!set) return Json::array();
-    list.push_back({{"left", sides[i]}, {"set", *set}});
+    list.push_back({{"left", sides[i]}, {"set", *set}, {"right", sides_of_equations ? " = 0" : ""}});
   }
   return list;
 }
@@ -106,11 +108,10 @@ Json sections(const Paper& paper, const std::vector<Judged>& judged, const Json&
   for (std::size_t i = 0; i < judged.size(); ++i) {
     if (list.empty() || section_of(judged[i].claim) != section) {
       section = section_of(judged[i].claim);
-      const bool of_paper = std::isdigit(static_cast<unsigned char>(section[0])) != 0;
-      list.push_back(
-          {{"number", std::to_string(list.size() + 1)},
-           {"heading", of_paper ? section + " " + paper.section_title(section) : "Properties " + section},
-           {"claims", Json::array()}});
+      const std::string title = paper.section_title(section);
+      list.push_back({{"number", std::to_string(list.size() + 1)},
+                      {"heading", title.empty() ? "Properties " + section : section + " " + title},
+                      {"claims", Json::array()}});
     }
     list.back()["claims"].push_back(card(paper, report[i], judged[i]));
   }

@@ -129,9 +129,10 @@ std::string erratum(const Paper& paper, const JudgedErratum& one, bool colour) {
 }
 
 std::string heading(const Paper& paper, const std::string& section) {
-  const bool of_paper = std::isdigit(static_cast<unsigned char>(section[0])) != 0;
   const std::string title = paper.section_title(section);
-  return (of_paper ? "Section " : "Properties ") + section + (title.empty() ? "" : ": " + title);
+  if (title.empty()) return "Properties " + section;
+  const bool number = std::isdigit(static_cast<unsigned char>(section[0])) != 0;
+  return (number ? "Section " : "") + section + ": " + title;
 }
 
 }  // namespace

@@ -18,7 +18,12 @@ TEST_CASE("formulas are set as they are typed") {
   CHECK(set("-k") == "<math><mo>−</mo><mrow><mi>k</mi></mrow></math>");
   CHECK(set("2/L").find("<mfrac>") != std::string::npos);
   // brackets stay where they are needed, and go from what a fraction holds together
-  CHECK(set("(a+b)*c").find("<mo>(</mo>") != std::string::npos);
+  CHECK(set("(a+b)*c").find("(</mo>") != std::string::npos);
+  CHECK(set("(a+b)/(c+d)").find("(</mo>") == std::string::npos);
+  CHECK(set("a/(c+d)^2").find("(</mo>") != std::string::npos);
+  // and are as tall as what they hold
+  CHECK(set("sin(a+b)").find("<mo stretchy=\"false\">(</mo>") != std::string::npos);
+  CHECK(set("2*(a/b+c)").find("<mo>(</mo>") != std::string::npos);
   CHECK(set("inv(J)") ==
         "<math><msup><mrow><mi>J</mi></mrow><mrow><mo>−</mo><mn>1</mn></mrow></msup></math>");
   CHECK(set("sin(phi)").find("<mi>sin</mi>") != std::string::npos);
