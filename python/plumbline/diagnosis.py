@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     import matplotlib.figure
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Curve:
     """One measured channel of one run beside what the models say."""
 
@@ -36,6 +36,9 @@ class Curve:
     nominal: Floats
     corrected: Floats
     model: str  #: what `corrected` is: "corrected model", "best partial explanation", …
+
+    def __repr__(self) -> str:
+        return f"<plumbline.Curve {self.channel} ({self.unit}) of run {self.run!r}: {len(self.measured)} readings>"
 
 
 @dataclass(frozen=True)

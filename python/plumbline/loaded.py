@@ -68,7 +68,7 @@ class Proof:
     failure: str | None  #: why it is not proved
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Path:
     """What a chain does under a growing load, or every branch of its equilibria."""
 
@@ -76,6 +76,10 @@ class Path:
     direction: tuple[float, float]  #: of the load
     warnings: list[str]
     proofs: list[Proof] = field(default_factory=list)  #: of the branches, where asked for
+
+    def __repr__(self) -> str:
+        points = sum(len(branch.points.force) for branch in self.branches)
+        return f"<plumbline.Path along {self.direction}: {len(self.branches)} branches, {points} points>"
 
     def to_pandas(self) -> pandas.DataFrame:
         """A row a point, events among them, as `plumbline path --csv` writes it."""
