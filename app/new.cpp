@@ -59,7 +59,8 @@ void require_answers(const diagnose::Draft& draft, const NewOptions& options) {
     if (guess.doubtful && !options.yes && !guess.line.empty())
       open.push_back(fmt::format("{}: {} ({}); write {}", guess.what, guess.value, guess.reason, guess.line));
   if (open.empty()) return;
-  fmt::print("Still asked{}\n  {}\n", draft.question.empty() ? ", or pass --yes" : "", fmt::join(open, "\n  "));
+  fmt::print("Still asked{}\n  {}\n", draft.question.empty() ? ", or pass --yes" : "",
+             fmt::join(open, "\n  "));
   throw CLI::RuntimeError(1);
 }
 
@@ -80,8 +81,8 @@ void run(const NewOptions& options) {
       diagnose::read_draft_model(options.model, names_in(options.joints), options.ends);
   const fs::path name = folder.has_filename() ? folder.filename() : folder.parent_path().filename();
   const diagnose::Draft draft =
-      diagnose::draft_experiment(files::printable(name.string()), read.model, tables, ask_on_terminal(options),
-                                 diagnose::told_columns(options.columns));
+      diagnose::draft_experiment(files::printable(name.string()), read.model, tables,
+                                 ask_on_terminal(options), diagnose::told_columns(options.columns));
   write_draft(draft, folder);
   for (const std::string& note : read.notes(draft.bench)) fmt::print("  {}\n", note);
   for (const diagnose::Guess& guess : draft.guesses) fmt::print("{}\n", line(guess));
@@ -98,8 +99,9 @@ void add_new(CLI::App& app) {
       "An experiment's folder out of a model and tables of readings; every guess is said, with its reason");
   const auto options = std::make_shared<NewOptions>();
   verb->add_option("folder", options->folder, "The folder to make")->type_name("FOLDER")->required();
-  verb->add_option("tables", options->tables,
-                   "Tables of readings, as the lab has them: text in columns, in any encoding, or .xlsx; a run each")
+  verb->add_option(
+          "tables", options->tables,
+          "Tables of readings, as the lab has them: text in columns, in any encoding, or .xlsx; a run each")
       ->type_name("FILE")
       ->required();
   verb->add_option("--model", options->model, "The nominal model: .xml (MJCF), .urdf, .sdf or .toml")
@@ -109,14 +111,17 @@ void add_new(CLI::App& app) {
           "--joints", options->joints,
           "The joints of the model that make the chain, with commas between them; the others are held")
       ->type_name("NAMES");
-  verb->add_option("--base", options->ends.base, "Of an arm in space: the body at its base")->type_name("NAME");
+  verb->add_option("--base", options->ends.base, "Of an arm in space: the body at its base")
+      ->type_name("NAME");
   verb->add_option("--tip", options->ends.tip, "Of an arm in space: the body or frame at its tip")
       ->type_name("NAME");
   verb->add_option("--columns", options->columns,
                    "What columns hold, by title or number: x=Traverse:mm,Fx=-3:kgf,ignore=humidity")
       ->type_name("CHANNEL=COLUMN:UNIT,...");
   verb->add_flag("--yes", options->yes, "Take every guess, also those in doubt");
-  verb->footer("Exit status 1 where something is left that a person has to say: it is written at the end, with the line to write.");
+  verb->footer(
+      "Exit status 1 where something is left that a person has to say: it is written at the end, with the "
+      "line to write.");
   verb->callback([options] { run(*options); });
 }
 

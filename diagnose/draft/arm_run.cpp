@@ -48,7 +48,8 @@ class ArmTableReader {
   }
 
   /// In SI, by the unit of the title, else by another.
-  [[nodiscard]] Values values(std::size_t column, const Quantity& quantity, const std::string& otherwise) const {
+  [[nodiscard]] Values values(std::size_t column, const Quantity& quantity,
+                              const std::string& otherwise) const {
     const std::string& unit = words_[column].unit.empty() ? otherwise : words_[column].unit;
     const double in_si = unit.empty() ? 1 : parse_unit(unit, quantity, title(column)).in_si();
     Values all = source_.numbers(column);
@@ -65,7 +66,8 @@ class ArmTableReader {
   void put_joints(const std::string& stem, const std::vector<std::size_t>& columns, const Quantity& quantity,
                   const std::string& unit = "") {
     for (std::size_t j = 0; j < columns.size(); ++j)
-      put(stem + std::to_string(j + 1), columns[j], slides(j) ? quantity::length : quantity, slides(j) ? "" : unit);
+      put(stem + std::to_string(j + 1), columns[j], slides(j) ? quantity::length : quantity,
+          slides(j) ? "" : unit);
   }
 
   [[nodiscard]] bool slides(std::size_t joint) const {
@@ -94,18 +96,23 @@ class ArmTableReader {
   [[noreturn]] void refuse() const {
     std::vector<std::string> titles;
     for (std::size_t c = 0; c < words_.size(); ++c) titles.push_back(title(c));
-    throw Error(source_.name(), fmt::format("the columns {}", files::shown(fmt::format("{}", fmt::join(titles, ", ")))),
-                fmt::format("a commanded or a reached angle of each of the {} joints {}: --columns q_command1=COLUMN:UNIT,…",
-                            arm_.joint.size(), fmt::join(arm_.joint, ", ")));
+    throw Error(
+        source_.name(),
+        fmt::format("the columns {}", files::shown(fmt::format("{}", fmt::join(titles, ", ")))),
+        fmt::format(
+            "a commanded or a reached angle of each of the {} joints {}: --columns q_command1=COLUMN:UNIT,…",
+            arm_.joint.size(), fmt::join(arm_.joint, ", ")));
   }
 
-  std::string unit_of_angles(const std::vector<std::size_t>& commands, const std::vector<std::size_t>& reached) {
+  std::string unit_of_angles(const std::vector<std::size_t>& commands,
+                             const std::vector<std::size_t>& reached) {
     double most = 0;
     for (const auto* columns : {&commands, &reached})
       for (std::size_t j = 0; j < columns->size(); ++j) {
         if (slides(j)) continue;
         if (!words_[(*columns)[j]].unit.empty()) return words_[(*columns)[j]].unit;
-        for (const double value : finite(source_.numbers((*columns)[j]))) most = std::max(most, std::abs(value));
+        for (const double value : finite(source_.numbers((*columns)[j])))
+          most = std::max(most, std::abs(value));
       }
     constexpr double once_around = 6.4;
     if (most <= once_around) return "";
@@ -149,7 +156,8 @@ class ArmTableReader {
     if (!quaternion.empty()) {
       std::vector<Values> q;
       for (const std::size_t c : quaternion) q.push_back(source_.numbers(c));
-      for (std::size_t i = 0; i < source_.readings(); ++i) run_.turns.emplace_back(q[0][i], q[1][i], q[2][i], q[3][i]);
+      for (std::size_t i = 0; i < source_.readings(); ++i)
+        run_.turns.emplace_back(q[0][i], q[1][i], q[2][i], q[3][i]);
       use(quaternion, "a quaternion");
     } else if (!angles.empty()) {
       std::vector<Values> q;
@@ -157,7 +165,8 @@ class ArmTableReader {
       for (const std::size_t c : angles)
         for (const double value : finite(source_.numbers(c))) most = std::max(most, std::abs(value));
       constexpr double once_around = 6.4;
-      for (const std::size_t c : angles) q.push_back(values(c, quantity::angle, most > once_around ? "deg" : ""));
+      for (const std::size_t c : angles)
+        q.push_back(values(c, quantity::angle, most > once_around ? "deg" : ""));
       for (std::size_t i = 0; i < source_.readings(); ++i)
         run_.turns.emplace_back(from_roll_pitch_yaw({q[0][i], q[1][i], q[2][i]}));
       use(angles, "roll, pitch and yaw about fixed axes");

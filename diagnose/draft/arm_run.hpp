@@ -18,10 +18,10 @@ struct ArmRun {
   std::string id;
   std::vector<ArmColumn> columns;
   std::vector<std::vector<double>> commands;  ///< by reading, of all joints, rad or m
-  std::vector<Eigen::Vector3d> places;        ///< by reading, NaN where nothing was read; in a unit of its own
-  std::string unit_of_place;                  ///< or empty
-  std::vector<Eigen::Quaterniond> turns;      ///< by reading, or empty
-  std::vector<std::size_t> used;              ///< columns of its source
+  std::vector<Eigen::Vector3d> places;    ///< by reading, NaN where nothing was read; in a unit of its own
+  std::string unit_of_place;              ///< or empty
+  std::vector<Eigen::Quaterniond> turns;  ///< by reading, or empty
+  std::vector<std::size_t> used;          ///< columns of its source
   Guesses guesses;
 };
 

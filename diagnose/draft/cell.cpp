@@ -21,7 +21,8 @@ class ClockReader {
   std::optional<int> digits(std::size_t most) {
     std::size_t count = 0;
     int value = 0;
-    while (count < most && count < rest_.size() && std::isdigit(static_cast<unsigned char>(rest_[count])) != 0)
+    while (count < most && count < rest_.size() &&
+           std::isdigit(static_cast<unsigned char>(rest_[count])) != 0)
       value = 10 * value + (rest_[count++] - '0');
     if (count == 0) return {};
     rest_.remove_prefix(count);
@@ -47,8 +48,8 @@ class ClockReader {
   std::string_view rest_;
 };
 
-/// Days since 1970 of 2026-11-03, 2026/11/03, 03.11.2026 or 03/11/2026, whose order of day and month matters for
-/// nothing but runs over midnight; the separator tells.
+/// Days since 1970 of 2026-11-03, 2026/11/03, 03.11.2026 or 03/11/2026, whose order of day and month matters
+/// for nothing but runs over midnight; the separator tells.
 std::optional<double> date(ClockReader& in) {
   const auto first = in.digits(4);
   if (!first || !in.skip("-/.")) return {};
@@ -59,7 +60,8 @@ std::optional<double> date(ClockReader& in) {
   constexpr int years = 1900;
   const bool year_first = *first > years;
   const int year = year_first ? *first : *third, day = year_first ? *third : *first;
-  const std::chrono::year_month_day at{std::chrono::year(year), std::chrono::month(static_cast<unsigned>(*second)),
+  const std::chrono::year_month_day at{std::chrono::year(year),
+                                       std::chrono::month(static_cast<unsigned>(*second)),
                                        std::chrono::day(static_cast<unsigned>(day))};
   if (year < years || !at.ok()) return {};
   return static_cast<double>(std::chrono::sys_days(at).time_since_epoch().count());
@@ -93,13 +95,15 @@ std::optional<Cell> clock_of(const std::string& field) {
     return {};
   }
   ClockReader alone(field);
-  if (const auto seconds = time_of_day(alone); seconds && alone.rest().empty()) return Cell{*seconds, "", true};
+  if (const auto seconds = time_of_day(alone); seconds && alone.rest().empty())
+    return Cell{*seconds, "", true};
   return {};
 }
 
 bool is_unit(const std::string& text) {
-  static const std::array quantities{&quantity::length, &quantity::force,  &quantity::angle,   &quantity::time,
-                                     &quantity::mass,   &quantity::torque, &quantity::pressure};
+  static const std::array quantities{&quantity::length,  &quantity::force, &quantity::angle,
+                                     &quantity::time,    &quantity::mass,  &quantity::torque,
+                                     &quantity::pressure};
   return is_temperature_unit(text) || is_current_unit(text) ||
          std::any_of(quantities.begin(), quantities.end(),
                      [&](const Quantity* one) { return !unit_in(text, *one).empty(); });

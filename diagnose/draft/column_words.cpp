@@ -110,19 +110,22 @@ char rotation_axis(const Words& words) {
 
 /// Where words and unit say different things, the unit is right: "position [deg]" is an angle.
 Kind kind_by_unit(Kind by_words, char axis, const Words& said) {
-  static const std::array kinds{Kind::time, Kind::x, Kind::force, Kind::angle, Kind::torque, Kind::mass, Kind::pressure};
+  static const std::array kinds{Kind::time,   Kind::x,    Kind::force,   Kind::angle,
+                                Kind::torque, Kind::mass, Kind::pressure};
   const auto is = [&](Kind kind) { return !unit_among(said, *quantity_of(kind)).empty(); };
   if (by_words == Kind::none) {
     for (const std::string& text : said)
       if (is_current_unit(text)) return Kind::current;
     const auto found = std::find_if(kinds.begin(), kinds.end(), is);
     if (found == kinds.end()) return Kind::none;
-    const bool weighs = *found == Kind::force && is(Kind::mass);  // grams are a mass where no word says a force
+    const bool weighs =
+        *found == Kind::force && is(Kind::mass);  // grams are a mass where no word says a force
     return weighs ? Kind::mass : *found;
   }
   const bool place = by_words == Kind::x || by_words == Kind::y || by_words == Kind::z;
   if (place && is(Kind::angle)) return Kind::angle;
-  if (by_words == Kind::angle && is(Kind::x)) return axis == ' ' ? Kind::x : along(axis, Kind::x, Kind::y, Kind::z);
+  if (by_words == Kind::angle && is(Kind::x))
+    return axis == ' ' ? Kind::x : along(axis, Kind::x, Kind::y, Kind::z);
   if (is_force(by_words) && is(Kind::torque) && !is(Kind::force)) return Kind::torque;
   return by_words;
 }
@@ -153,7 +156,8 @@ Kind kind_of(const Words& words, const Words& said, char rotation) {
 std::size_t number_in(const Words& words) {
   std::size_t number = 0;
   for (const std::string& word : words)
-    if (std::isdigit(static_cast<unsigned char>(word.front())) != 0 && word.size() < 4) number = std::stoul(word);
+    if (std::isdigit(static_cast<unsigned char>(word.front())) != 0 && word.size() < 4)
+      number = std::stoul(word);
   return number;
 }
 

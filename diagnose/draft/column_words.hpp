@@ -24,17 +24,17 @@ enum class Kind {
   run,
   temperature,
   humidity,
-  torque,      ///< of a drive, or on a joint
-  moment_x,    ///< on the end point, about an axis
+  torque,    ///< of a drive, or on a joint
+  moment_x,  ///< on the end point, about an axis
   moment_y,
   moment_z,
-  mass,        ///< that hangs somewhere
-  current,     ///< of a motor
-  rotation,    ///< of a point: roll, pitch, yaw, or the numbers of a quaternion, by the axis
-  tension,     ///< of a tendon
-  pressure,    ///< in an actuator
-  number,      ///< of the line, the pose, the sample
-  left_out     ///< by a person
+  mass,      ///< that hangs somewhere
+  current,   ///< of a motor
+  rotation,  ///< of a point: roll, pitch, yaw, or the numbers of a quaternion, by the axis
+  tension,   ///< of a tendon
+  pressure,  ///< in an actuator
+  number,    ///< of the line, the pose, the sample
+  left_out   ///< by a person
 };
 
 /// Other than the reading itself.
@@ -42,9 +42,9 @@ enum class Treatment { none, raw, filtered };
 
 struct ColumnWords {
   Kind kind = Kind::none;
-  std::size_t joint = 0;   ///< of an angle, a torque or a current, from 1; 0 where no number says it
-  bool commanded = false;  ///< "x_cmd": what was asked for, not what was reached
-  std::string unit = {};   ///< "mm", where the words have one that is one; else empty
+  std::size_t joint = 0;      ///< of an angle, a torque or a current, from 1; 0 where no number says it
+  bool commanded = false;     ///< "x_cmd": what was asked for, not what was reached
+  std::string unit = {};      ///< "mm", where the words have one that is one; else empty
   std::string variable = {};  ///< of a tension or a pressure: its title as the name of a covariate
   bool at_motor = false;      ///< an angle before the gear
   Treatment treatment = Treatment::none;

@@ -24,7 +24,9 @@ void append(std::string& text, std::uint32_t point) {
 
 std::string from_utf16(const std::string& bytes, std::size_t first, bool big) {
   const auto unit = [&](std::size_t at) {
-    const auto byte = [&](std::size_t i) { return static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[i])); };
+    const auto byte = [&](std::size_t i) {
+      return static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[i]));
+    };
     return big ? byte(at) << 8U | byte(at + 1) : byte(at + 1) << 8U | byte(at);
   };
   std::string text;
@@ -56,7 +58,8 @@ std::string from_windows(const std::string& bytes) {
 bool has_zeros(const std::string& bytes, std::size_t from) {
   std::size_t zeros = 0, all = 0;
   constexpr std::size_t enough = 2000;
-  for (std::size_t at = from; at < std::min(bytes.size(), enough); at += 2, ++all) zeros += bytes[at] == '\0' ? 1 : 0;
+  for (std::size_t at = from; at < std::min(bytes.size(), enough); at += 2, ++all)
+    zeros += bytes[at] == '\0' ? 1 : 0;
   return all > 2 && 10 * zeros > 9 * all;
 }
 

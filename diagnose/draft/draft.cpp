@@ -42,7 +42,8 @@ class Drafting {
   }
 
   void add(const std::vector<DraftFile>& files, const std::vector<ToldColumn>& told) {
-    const std::vector<std::string>& joints = model_.joints.empty() && model_.arm ? model_.arm->joint : model_.joints;
+    const std::vector<std::string>& joints =
+        model_.joints.empty() && model_.arm ? model_.arm->joint : model_.joints;
     draft_.tables = tables_of(files, joints, told, ask_, draft_.guesses);
     const std::vector<RunSource> sources = run_sources(draft_.tables, joints, told, draft_.guesses);
     draft_.bench = bench_of(model_, sources, joints);
@@ -96,7 +97,8 @@ class Drafting {
   /// Asks what screening asks. \return whether a guess was changed by it
   bool settle() {
     draft_.question.clear();
-    if (!question_of_loads().empty() || has_question()) return false;  // nothing can be read before it is answered
+    if (!question_of_loads().empty() || has_question())
+      return false;  // nothing can be read before it is answered
     try {
       Experiment as_drafted = read();
       thin(as_drafted);
@@ -119,8 +121,9 @@ class Drafting {
   }
 
   [[nodiscard]] Experiment read() const {
-    const std::string place = "experiment.toml",
-                      settings = draft_.bench == BenchKind::arm ? draft_.settings : settings_text(experiment_, model_);
+    const std::string place = "experiment.toml", settings = draft_.bench == BenchKind::arm
+                                                                ? draft_.settings
+                                                                : settings_text(experiment_, model_);
     const ReadParts parts = [&](const Section& run, const SampleFormat& format) {
       return read_parts(run, format, [&](const std::string& name, const std::string& key) {
         for (const DraftFile& table : draft_.tables)
@@ -128,8 +131,9 @@ class Drafting {
         throw Error(key, files::shown(name), "a table that was given");
       });
     };
-    return read_experiment(files::parse_toml(settings, place), place, parts, nullptr,
-                           [&](const std::string&, const std::string&, const std::string&) { return *model_.arm; });
+    return read_experiment(
+        files::parse_toml(settings, place), place, parts, nullptr,
+        [&](const std::string&, const std::string&, const std::string&) { return *model_.arm; });
   }
 
   bool take(const SuspectedConvention& suspected) {
@@ -137,9 +141,7 @@ class Drafting {
     const bool forces = what == "Fx, Fy" || what == "Fx" || what == "torque",
                places = what == "x, y" || what == "x" || what == "angle";
     bool taken = false;
-    if (forces || places)
-      taken =
-          take_of_end(suspected, forces ? draft_Fx : draft_x);
+    if (forces || places) taken = take_of_end(suspected, forces ? draft_Fx : draft_x);
     if (suspected.what == "q") taken = take_of_angles(suspected);
     if (taken)
       draft_.guesses.push_back(

@@ -22,14 +22,14 @@ struct AngleMap {
 
 /// The model, known before the tables are read: a chain in a plane, an arm in space, or one that is both.
 struct DraftModel {
-  NominalChain chain;                ///< without a link where the model is none
-  std::vector<std::string> joints;   ///< their names in the model, from the base on; or empty
-  std::array<double, 2> base{0, 0};  ///< where joint 1 is in the model's plane, m
-  bool weighs = false;               ///< whether the model has gravity at all
-  std::vector<AngleMap> angles = {};              ///< of the chain's joints; empty where all are the same
-  std::shared_ptr<const NominalArm> arm = {};     ///< or null
-  DraftFile file = {};                            ///< of the arm, to stand beside the experiment
-  std::string tip = {}, base_body = {};           ///< of the arm, where a person names them
+  NominalChain chain;                          ///< without a link where the model is none
+  std::vector<std::string> joints;             ///< their names in the model, from the base on; or empty
+  std::array<double, 2> base{0, 0};            ///< where joint 1 is in the model's plane, m
+  bool weighs = false;                         ///< whether the model has gravity at all
+  std::vector<AngleMap> angles = {};           ///< of the chain's joints; empty where all are the same
+  std::shared_ptr<const NominalArm> arm = {};  ///< or null
+  DraftFile file = {};                         ///< of the arm, to stand beside the experiment
+  std::string tip = {}, base_body = {};        ///< of the arm, where a person names them
 };
 
 /// What the readings are of.

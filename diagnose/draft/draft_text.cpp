@@ -91,12 +91,14 @@ std::optional<DraftColumn> time_of(const RunSource& source, const SourcePart& pa
 }
 
 /// One value for all columns, or a list with one each; nothing where none differs from the usual.
-std::string for_each(const char* key, const std::vector<DraftColumn>& columns, const auto& value, double usual) {
+std::string for_each(const char* key, const std::vector<DraftColumn>& columns, const auto& value,
+                     double usual) {
   std::vector<double> all;
   for (const DraftColumn& column : columns) all.push_back(value(column));
   const auto is = [](double wanted) { return [wanted](double one) { return one == wanted; }; };
   if (std::all_of(all.begin(), all.end(), is(usual))) return "";
-  if (std::all_of(all.begin(), all.end(), is(all.front()))) return fmt::format(", {} = {:.12g}", key, all.front());
+  if (std::all_of(all.begin(), all.end(), is(all.front())))
+    return fmt::format(", {} = {:.12g}", key, all.front());
   return fmt::format(", {} = [{:.12g}]", key, fmt::join(all, ", "));
 }
 
@@ -107,8 +109,10 @@ std::string angles_line(const char* key, const RunSource& source, const std::vec
   for (const DraftColumn& column : angles) names.push_back(reference(source, column.place));
   std::string text = fmt::format("{} = {{ column = [{}]", key, fmt::join(names, ", "));
   if (!angles.front().unit.empty()) text += ", unit = " + quoted(angles.front().unit);
-  text += for_each("sign", angles, [](const DraftColumn& one) { return static_cast<double>(one.sign); }, 1);
-  text += for_each("zero", angles, [](const DraftColumn& one) { return one.zero; }, 0);
+  text += for_each(
+      "sign", angles, [](const DraftColumn& one) { return static_cast<double>(one.sign); }, 1);
+  text += for_each(
+      "zero", angles, [](const DraftColumn& one) { return one.zero; }, 0);
   return text + (absolute ? ", absolute = true }\n" : " }\n");
 }
 
@@ -153,7 +157,8 @@ std::string noise_lines(const std::vector<DraftedRun>& runs, bool same_columns) 
   for (const DraftedRun& run : runs) {
     for (std::size_t c = draft_x; c < draft_singles; ++c)
       if (run.singles[c] && run.imposes_force == (c < draft_Fx))
-        add(single_channels(run.alone)[c].name, run, *run.singles[c], *single_channels(run.alone)[c].quantity);
+        add(single_channels(run.alone)[c].name, run, *run.singles[c],
+            *single_channels(run.alone)[c].quantity);
     for (const DraftColumn& column : run.angles) add("q", run, column, quantity::angle);
   }
   std::string text;
@@ -237,7 +242,8 @@ const char* control_word(const DraftedRun& run) {
 /// A run, with its format and columns unless all share them.
 std::string run_lines(const DraftedRun& run, const DraftedExperiment& experiment, bool same_csv,
                       bool same_columns) {
-  std::string text = fmt::format("\n[[run]]\nid = {}\ncontrol = \"{}\"\n", quoted(run.source.id), control_word(run));
+  std::string text =
+      fmt::format("\n[[run]]\nid = {}\ncontrol = \"{}\"\n", quoted(run.source.id), control_word(run));
   if (run.by_weights) text += "loaded_by = \"weights\"\n";
   if (!run.rest.empty()) text += fmt::format("rest = [{:.6g}]\n", fmt::join(run.rest, ", "));
   text += samples_lines(run, experiment);

@@ -23,7 +23,8 @@ std::string list(const Eigen::Vector3d& vector) {
 
 class ArmDrafter {
  public:
-  ArmDrafter(const std::string& name, const std::vector<RunSource>& sources, const DraftModel& model, const Ask& ask)
+  ArmDrafter(const std::string& name, const std::vector<RunSource>& sources, const DraftModel& model,
+             const Ask& ask)
       : name_(name), model_(model), ask_(ask), arm_(*model.arm) {
     for (const RunSource& source : sources) runs_.push_back(arm_run(source, model));
   }
@@ -56,20 +57,23 @@ class ArmDrafter {
   /// The unit of places, and the frame of the tracker where it is clearly another than the model's.
   void take_frame() {
     registration_ = registered(runs_, arm_);
-    const bool placed = std::any_of(runs_.begin(), runs_.end(), [](const ArmRun& run) { return !run.places.empty(); });
+    const bool placed =
+        std::any_of(runs_.begin(), runs_.end(), [](const ArmRun& run) { return !run.places.empty(); });
     if (!placed) return;
     if (!registration_.said)
-      say("unit of the tip's places", registration_.unit, "the poses are then as far apart as the model has them");
+      say("unit of the tip's places", registration_.unit,
+          "the poses are then as far apart as the model has them");
     if (registration_.takes_frame)
       say("frame of the tracker",
           fmt::format("turned by {:.3g} rad, displaced by {:.4g} m",
-                      Eigen::AngleAxisd(registration_.frame.linear()).angle(), registration_.frame.translation().norm()),
+                      Eigen::AngleAxisd(registration_.frame.linear()).angle(),
+                      registration_.frame.translation().norm()),
           fmt::format("the nominal tip is then {:.3g} mm from its readings instead of {:.3g} mm",
                       1e3 * registration_.as_registered, 1e3 * registration_.as_read));
     const double unit = parse_unit(registration_.unit, quantity::length, "").in_si();
     for (ArmRun& run : runs_)
       for (Eigen::Index axis = 0; axis < 3 && !run.places.empty(); ++axis) {
-        ArmColumn column{std::string("tip_") + "xyz"[axis], {}};
+        ArmColumn column{std::string("tip_") + "xyz" [axis], {}};
         for (const Eigen::Vector3d& place : run.places) column.values.push_back(unit * place(axis));
         run.columns.push_back(std::move(column));
       }
@@ -118,7 +122,8 @@ class ArmDrafter {
                        [](const ArmColumn& one) { return is_read(one.name); }) &&
           result_.question.empty())
         result_.question = fmt::format(
-            "{}: found no reading beside the joints' angles, expected places of the tip, reached angles or torques of "
+            "{}: found no reading beside the joints' angles, expected places of the tip, reached angles or "
+            "torques of "
             "the drives: --columns x=COLUMN:mm,y=COLUMN:mm,z=COLUMN:mm",
             run.id);
   }
@@ -153,16 +158,18 @@ class ArmDrafter {
 
   [[nodiscard]] std::string settings() const {
     std::string text =
-        "#:schema experiment.schema.json\n# Drafted by `plumbline new`: what it guessed, it said; correct here "
+        "#:schema experiment.schema.json\n# Drafted by `plumbline new`: what it guessed, it said; correct "
+        "here "
         "what is wrong.\nformat = \"chain-experiment/1\"\n";
     text += "name = " + quoted(name_) + "\n\n[arm]\nmodel = " + quoted(model_.file.name) + "\n";
     if (!model_.base_body.empty()) text += "base = " + quoted(model_.base_body) + "\n";
     if (!model_.tip.empty()) text += "tip = " + quoted(model_.tip) + "\n";
     if (registration_.takes_frame) {
       const Pose<double> base = registration_.frame * arm_.arm.base;
-      text += fmt::format("base_xyz = {}  # of the base in the tracker's frame, m\nbase_rpy = {}\ngravity = {}\n",
-                          list(base.translation()), list(roll_pitch_yaw(base.linear())),
-                          list(registration_.frame.linear() * arm_.arm.gravity));
+      text +=
+          fmt::format("base_xyz = {}  # of the base in the tracker's frame, m\nbase_rpy = {}\ngravity = {}\n",
+                      list(base.translation()), list(roll_pitch_yaw(base.linear())),
+                      list(registration_.frame.linear() * arm_.arm.gravity));
     }
     text += "\n[noise]  # of a single reading: its scatter in time, or what is usual\n";
     add_noise(text, "place", "tip_", usual_place());
@@ -202,8 +209,8 @@ class ArmDrafter {
 
 }  // namespace
 
-DraftedArm drafted_arm(const std::string& name, const std::vector<RunSource>& sources, const DraftModel& model,
-                       const Ask& ask) {
+DraftedArm drafted_arm(const std::string& name, const std::vector<RunSource>& sources,
+                       const DraftModel& model, const Ask& ask) {
   return ArmDrafter(name, sources, model, ask).result();
 }
 

@@ -54,11 +54,12 @@ std::optional<std::string> say_guess(DraftedRun& run, const Ask& ask, Guess gues
 EvenSteps even_steps(double of_place, double of_load, const char* places, const char* loads) {
   constexpr double clearly = 2;
   const bool load = of_load < of_place;
-  return {load, std::max(of_place, of_load) > clearly * std::min(of_place, of_load),
-          fmt::format("from reading to reading the {} go more evenly than the {} ({:.2g} % against {:.2g} % of "
-                      "their range)",
-                      load ? loads : places, load ? places : loads, 100 * std::min(of_place, of_load),
-                      100 * std::max(of_place, of_load))};
+  return {
+      load, std::max(of_place, of_load) > clearly * std::min(of_place, of_load),
+      fmt::format("from reading to reading the {} go more evenly than the {} ({:.2g} % against {:.2g} % of "
+                  "their range)",
+                  load ? loads : places, load ? places : loads, 100 * std::min(of_place, of_load),
+                  100 * std::max(of_place, of_load))};
 }
 
 }  // namespace plumbline::diagnose

@@ -82,13 +82,14 @@ class JointDrafter {
     run_.by_weights = kind == Kind::mass;
     const std::string own = words_[*column].unit;
     // A person may have said a torque of a weight: "50 gf mm".
-    if (slides_ || !unit_in(own, quantity::torque).empty() || kind == Kind::torque || kind == Kind::moment_x ||
-        kind == Kind::moment_y || kind == Kind::moment_z) {
+    if (slides_ || !unit_in(own, quantity::torque).empty() || kind == Kind::torque ||
+        kind == Kind::moment_x || kind == Kind::moment_y || kind == Kind::moment_z) {
       take(draft_Fx, *column, "its name");
       if (kind == Kind::mass && slides_) run_.singles[draft_Fx]->unit = weight_unit(own);
       return;
     }
-    run_.singles[draft_Fx] = DraftColumn{*column, lever_unit(*column, weight_unit(own)), words_[*column].sign};
+    run_.singles[draft_Fx] =
+        DraftColumn{*column, lever_unit(*column, weight_unit(own)), words_[*column].sign};
   }
 
   static std::string weight_unit(const std::string& unit) {
@@ -98,10 +99,12 @@ class JointDrafter {
 
   /// \return the unit of torque of the column; empty where nobody says the lever
   std::string lever_unit(std::size_t column, const std::string& force) {
-    const std::string line = fmt::format("--columns \"torque={}:50 {} mm\", with the lever for 50", title(column), force);
-    const auto answer = say("lever of " + title(column), "not known",
-                            fmt::format("a torque is meant, {} is a force: on which lever, such as 50 mm?", title(column)),
-                            true, line);
+    const std::string line =
+        fmt::format("--columns \"torque={}:50 {} mm\", with the lever for 50", title(column), force);
+    const auto answer =
+        say("lever of " + title(column), "not known",
+            fmt::format("a torque is meant, {} is a force: on which lever, such as 50 mm?", title(column)),
+            true, line);
     if (answer) {
       const std::size_t unit = answer->find_first_not_of("0123456789. ");
       const std::string length = unit == std::string::npos ? "m" : answer->substr(unit);
@@ -109,8 +112,8 @@ class JointDrafter {
                         "lever of " + title(column))
           .name;
     }
-    run_.question = fmt::format("torque of {}: found {}, a force without its lever, expected {}", run_.source.name(),
-                                title(column), line);
+    run_.question = fmt::format("torque of {}: found {}, a force without its lever, expected {}",
+                                run_.source.name(), title(column), line);
     return "";
   }
 
@@ -132,7 +135,8 @@ class JointDrafter {
     std::vector<std::string> titles;
     for (std::size_t c = 0; c < words_.size(); ++c) titles.push_back(title(c));
     const char* const what = slides_ ? "x" : "angle";
-    throw Error(run_.source.name(), fmt::format("the columns {}", files::shown(fmt::format("{}", fmt::join(titles, ", ")))),
+    throw Error(run_.source.name(),
+                fmt::format("the columns {}", files::shown(fmt::format("{}", fmt::join(titles, ", ")))),
                 place ? fmt::format("beside {} its {} or its command: --columns {}=COLUMN:UNIT", what,
                                     slides_ ? "force" : "torque", channel(draft_Fx))
                       : fmt::format("one of the {} of the joint: --columns {}=COLUMN:UNIT,{}=COLUMN:UNIT",
@@ -158,7 +162,8 @@ class JointDrafter {
     double nearest = INFINITY, second = INFINITY;
     const std::array units = slides_ ? std::array{"m", "mm"} : std::array{"rad", "deg"};
     for (const char* const unit : units) {
-      const double in_si = most * parse_unit(unit, *single_channels(run_.alone)[draft_x].quantity, "").in_si();
+      const double in_si =
+          most * parse_unit(unit, *single_channels(run_.alone)[draft_x].quantity, "").in_si();
       const double off = std::abs(std::log(load / in_si / model_.chain.joint_stiffness.front()));
       if (off < nearest) {
         second = nearest, nearest = off, place.unit = unit;
@@ -173,15 +178,18 @@ class JointDrafter {
       nearest = 0, second = most > once_around ? clearly + 1 : 0;
     }
     say(fmt::format("unit of {}", channel(draft_x)), place.unit,
-        load > 0 ? fmt::format("the load over it is then {:.2g} times the stiffness of the model", std::exp(nearest))
+        load > 0 ? fmt::format("the load over it is then {:.2g} times the stiffness of the model",
+                               std::exp(nearest))
                  : "no unit stands there",
-        second - nearest < clearly, fmt::format("--columns \"{}={}:{}\"", channel(draft_x), title(place.place), place.unit));
+        second - nearest < clearly,
+        fmt::format("--columns \"{}={}:{}\"", channel(draft_x), title(place.place), place.unit));
   }
 
   void find_control() {
     if (!run_.commands.empty()) {
       run_.imposes_force = true;
-      say("control", "command", fmt::format("{} is where the spring pulls to", title(run_.commands.front().place)));
+      say("control", "command",
+          fmt::format("{} is where the spring pulls to", title(run_.commands.front().place)));
       return;
     }
     if (run_.by_weights) {
@@ -192,8 +200,8 @@ class JointDrafter {
     const char *const place = slides_ ? "displacement" : "angle", *const load = slides_ ? "force" : "torque";
     const auto& s = run_.singles;
     const EvenSteps steps = even_steps(roughness(run_.source.numbers(s[draft_x]->place)),
-                                       roughness(run_.source.numbers(s[draft_Fx]->place)), slides_ ? "places" : "angles",
-                                       slides_ ? "forces" : "torques");
+                                       roughness(run_.source.numbers(s[draft_Fx]->place)),
+                                       slides_ ? "places" : "angles", slides_ ? "forces" : "torques");
     run_.imposes_force = steps.load;
     const auto answer = say("control", steps.load ? load : place, steps.reason, !steps.sure,
                             fmt::format("control = \"{}\" in experiment.toml", steps.load ? place : load));

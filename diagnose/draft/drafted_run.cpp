@@ -10,6 +10,7 @@
 
 #include "diagnose/draft/angle_maps.hpp"
 #include "diagnose/draft/column_numbers.hpp"
+#include "diagnose/draft/drafted_rest.hpp"
 #include "diagnose/draft/joint_columns.hpp"
 #include "diagnose/draft/rest_shape.hpp"
 #include "diagnose/draft/unit_words.hpp"
@@ -19,14 +20,6 @@ namespace plumbline::diagnose {
 namespace {
 
 using Values = std::vector<double>;
-
-/// Whether a load is next to nothing at the first reading.
-bool begins_at_nothing(const Values& load) {
-  constexpr double nothing = 0.03;  // of its most
-  double most = 0;
-  for (const double value : finite(load)) most = std::max(most, std::abs(value));
-  return !std::isfinite(load.front()) || std::abs(load.front()) <= nothing * most + 3 * scatter_of(load);
-}
 
 class Drafter {
  public:
@@ -52,7 +45,7 @@ class Drafter {
       map_angles();
       find_control();
       take_commands();
-      find_rest();
+      find_rest(run_, model_, ask_, columns_of_commands());
     }
     return std::move(run_);
   }
@@ -93,8 +86,7 @@ class Drafter {
     if (!column) column = column_of(kind, true);
     if (!column) return;
     const std::string said = words_[*column].unit, name = title(*column);
-    const auto answer =
-        say(channel(single), name + (said.empty() ? "" : ", in " + said), reason, doubtful);
+    const auto answer = say(channel(single), name + (said.empty() ? "" : ", in " + said), reason, doubtful);
     if (answer) {
       for (std::size_t c = 0; c < words_.size(); ++c)
         if (run_.source.title(c) == *answer) column = c;
@@ -122,7 +114,8 @@ class Drafter {
     const auto mass = column_of(Kind::mass, false);
     if (!mass || run_.singles[draft_Fx] || run_.singles[draft_Fy]) return;
     const std::string unit = unit_in(words_[*mass].unit.empty() ? "kg" : words_[*mass].unit, quantity::force);
-    say("Fy", fmt::format("{}, in {}", title(*mass), unit), "a weight, taken to pull down at the end point", true);
+    say("Fy", fmt::format("{}, in {}", title(*mass), unit), "a weight, taken to pull down at the end point",
+        true);
     run_.singles[draft_Fy] = DraftColumn{*mass, unit, -1};
     run_.by_weights = true;
     kinds_[draft_Fy] = Kind::mass;
@@ -275,12 +268,14 @@ class Drafter {
     take_angle_maps(model_, run_.angles);
     take_angle_maps(model_, run_.commands);
     say("signs and zeros of q", "those of the model's joints",
-        "the chain counts its angles from a straight line, the model's joints count from where it draws them");
+        "the chain counts its angles from a straight line, the model's joints count from where it draws "
+        "them");
   }
 
   [[nodiscard]] Values raw(const DraftColumn& column) const { return run_.source.numbers(column.place); }
 
-  /// Commands to every joint are a motion, or a pose a line; commands that stand still beside a force are a rest.
+  /// Commands to every joint are a motion, or a pose a line; commands that stand still beside a force are a
+  /// rest.
   [[nodiscard]] bool imposes_commands() const {
     const auto& s = run_.singles;
     const bool read = !run_.angles.empty() || s[draft_x] || s[draft_y],
@@ -288,12 +283,17 @@ class Drafter {
     return read && !angle_columns(true).empty() && (!pressed || (s[draft_t] && !run_.angles.empty()));
   }
 
+  [[nodiscard]] std::vector<DraftColumn> columns_of_commands() const {
+    std::vector<DraftColumn> all;
+    for (const std::size_t c : angle_columns(true))
+      all.push_back({c, words_[c].unit.empty() ? angle_unit() : words_[c].unit, words_[c].sign});
+    return all;
+  }
+
   void impose_commands() {
+    run_.commands = columns_of_commands();
     std::vector<std::string> names;
-    for (const std::size_t c : angle_columns(true)) {
-      run_.commands.push_back({c, words_[c].unit.empty() ? angle_unit() : words_[c].unit, words_[c].sign});
-      names.push_back(title(c));
-    }
+    for (const DraftColumn& column : run_.commands) names.push_back(title(column.place));
     run_.imposes_force = true;
     say("control", "command",
         fmt::format("{}: a command to every joint, in the order of the lines", fmt::join(names, ", ")));
@@ -316,8 +316,7 @@ class Drafter {
         if (s[c]) most = std::max(most, roughness(raw(*s[c])));
       return most;
     };
-    EvenSteps steps =
-        even_steps(rough(draft_x, draft_y), rough(draft_Fx, draft_Fy), "places", "forces");
+    EvenSteps steps = even_steps(rough(draft_x, draft_y), rough(draft_Fx, draft_Fy), "places", "forces");
     const bool commanded_force = column_of(kinds_[draft_Fx], true).has_value(),
                commanded_place = column_of(kinds_[draft_x], true).has_value();
     if (commanded_force != commanded_place) steps = {commanded_force, true, "a column has the commands"};
@@ -368,81 +367,6 @@ class Drafter {
       run_.singles[c]->place = *column;
       say(channel(c), title(*column), "of what is imposed the command counts");
     }
-  }
-
-  [[nodiscard]] bool begins_unloaded() const {
-    std::vector<DraftColumn> loads;
-    for (const std::size_t c : {draft_Fx, draft_Fy})
-      if (const auto& column = run_.singles[c]; column && !column->constant) loads.push_back(*column);
-    if (run_.moved_by_actuators)
-      for (const DraftedActuator& one : run_.actuators) loads.push_back(one.column);
-    return std::all_of(loads.begin(), loads.end(),
-                       [&](const DraftColumn& load) { return begins_at_nothing(raw(load)); });
-  }
-
-  /// The unloaded shape: commanded angles, the model's, or that of a first reading without load.
-  void find_rest() {
-    if (const std::vector<std::size_t> commands = angle_columns(true); !commands.empty()) {
-      for (const std::size_t c : commands) {
-        const DraftColumn column{
-            c, words_[c].unit.empty() ? angle_unit() : words_[c].unit, words_[c].sign};
-        run_.further.push_back(c);
-        run_.rest.push_back(run_.values(column, quantity::angle).front());
-      }
-      say("rest", fmt::format("{:.4g}", fmt::join(run_.rest, ", ")), "the commanded angles");
-      return;
-    }
-    const Values& own = model_.chain.rest;
-    constexpr double near = 0.02;
-    if (!run_.angles.empty()) {
-      Values first;
-      double away = 0;
-      for (std::size_t j = 0; j < joints_; ++j) {
-        first.push_back(run_.values(run_.angles[j], quantity::angle).front());
-        away = std::max(away, std::abs(first[j] - (j < own.size() ? own[j] : 0)));
-      }
-      if (!own.empty() && away < near) return;
-      if (begins_unloaded())
-        return set_rest(first, "the first reading, which is without load", own.empty() ? NAN : away);
-      if (!own.empty() && run_.moved_by_actuators) {
-        say("rest", "the model's", "the first reading is under load");
-        return;
-      }
-    }
-    const Values xs = run_.values(draft_x), ys = run_.values(draft_y);
-    if (xs.empty() || ys.empty() || !std::isfinite(xs.front()) || !std::isfinite(ys.front()))
-      return ask_rest("nothing in the table says it");
-    const std::array<double, 2> end = end_point(model_.chain, own);
-    const double gap = std::hypot(xs.front() - end[0], ys.front() - end[1]);
-    if (!own.empty() && (gap < near * reach_ || !begins_unloaded())) return;
-    const Values middle = own.empty() ? Values(joints_, 0.0) : own;
-    if (const auto shape = reaching(model_.chain, middle, {xs.front(), ys.front()}))
-      return set_rest(*shape, "the shape that has the end point where the first reading has it",
-                      gap / reach_);
-    ask_rest(fmt::format(
-        "the model's puts the end point {:.3g} m from the first reading, which is without load", gap));
-  }
-
-  void set_rest(const Values& rest, const std::string& reason, double away) {
-    constexpr double large = 0.3;
-    run_.rest = rest;
-    const auto answer =
-        say("rest", fmt::format("{:.4g} rad", fmt::join(rest, ", ")), reason, !(away < large));
-    if (answer) take_rest(*answer);
-  }
-  void ask_rest(const std::string& reason) {
-    const auto answer = say("rest", model_.chain.rest.empty() ? "not known" : "the model's", reason, true);
-    if (answer) return take_rest(*answer);
-    run_.question = fmt::format(
-        "rest of {}: found {}, expected rest = [...], the {} unloaded joint angles, in its [[run]]",
-        run_.source.name(), reason, joints_);
-  }
-  void take_rest(const std::string& answer) {
-    const auto values = numbers_in(answer);
-    if (!values || values->size() != joints_)
-      throw Error("rest of " + run_.source.name(), files::shown(answer),
-                  fmt::format("{} angles in rad", joints_));
-    run_.rest = *values;
   }
 
   const DraftModel& model_;

@@ -51,7 +51,7 @@ struct DraftedRun {
   bool by_weights = false;  ///< the imposed load
   Alone alone = Alone::no;
   std::vector<std::size_t> further = {};  ///< columns that are used otherwise
-  std::vector<double> rest;  ///< rad; empty where the model's serves
+  std::vector<double> rest;               ///< rad; empty where the model's serves
   Guesses guesses;
   std::string question;  ///< what a person has to say, in a line; or empty
 
@@ -68,12 +68,13 @@ std::optional<std::string> say_guess(DraftedRun& run, const Ask& ask, Guess gues
 
 /// What is imposed goes in even steps; what is measured scatters.
 struct EvenSteps {
-  bool load;         ///< whether the load is imposed
+  bool load;  ///< whether the load is imposed
   bool sure;
   std::string reason;
 };
 /// \param roughness_of_place, roughness_of_load  as roughness() has them
-EvenSteps even_steps(double roughness_of_place, double roughness_of_load, const char* places, const char* loads);
+EvenSteps even_steps(double roughness_of_place, double roughness_of_load, const char* places,
+                     const char* loads);
 
 /// Identifies columns by their titles; units, zeros, the imposed quantity and the rest by their numbers.
 /// \throws Error where no column of a place, a force or an angle can be told

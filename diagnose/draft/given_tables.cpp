@@ -76,14 +76,15 @@ std::vector<DraftFile> cut_into_runs(const DraftFile& file, const std::vector<st
 /// The sheet with the most numbers, or the one that a person names.
 std::string sheet_of(const DraftFile& file, const Ask& ask, Guesses& guesses) {
   const std::vector<Sheet> sheets = sheets_of(file.text, file.name);
-  const auto* most = &*std::max_element(
-      sheets.begin(), sheets.end(), [](const Sheet& a, const Sheet& b) { return a.numbers < b.numbers; });
+  const auto* most = &*std::max_element(sheets.begin(), sheets.end(),
+                                        [](const Sheet& a, const Sheet& b) { return a.numbers < b.numbers; });
   std::vector<std::string> names;
   for (const Sheet& sheet : sheets) names.push_back(sheet.name);
   const bool several = sheets.size() > 1;
-  Guess guess{"sheet of " + file.name, most->name,
-              several ? fmt::format("it has the most numbers of {}", fmt::join(names, ", ")) : "the one with numbers",
-              several, "the other sheets as files of their own, or --yes"};
+  Guess guess{
+      "sheet of " + file.name, most->name,
+      several ? fmt::format("it has the most numbers of {}", fmt::join(names, ", ")) : "the one with numbers",
+      several, "the other sheets as files of their own, or --yes"};
   if (several && ask)
     if (const auto answer = ask(guess)) {
       const auto found = std::find(names.begin(), names.end(), *answer);

@@ -25,15 +25,16 @@ Logger logger_of(const DraftFile& file, const std::vector<std::string>& joints) 
     const ColumnWords words = words_of(logger.table.names[c], below, joints);
     logger.words.push_back(words);
     logger.places = logger.places || is_place(words.kind);
-    logger.loads = logger.loads || is_force(words.kind) || is_actuation(words.kind) || words.kind == Kind::mass ||
-                   words.kind == Kind::torque;
+    logger.loads = logger.loads || is_force(words.kind) || is_actuation(words.kind) ||
+                   words.kind == Kind::mass || words.kind == Kind::torque;
     if (words.kind != Kind::time || !logger.times.empty() || logger.table.format.transposed) continue;
     logger.times = logger.table.numbers(c);
     const double unit = words.unit.empty() ? 1 : parse_unit(words.unit, quantity::time, "").in_si();
     for (double& time : logger.times) time *= unit;
   }
-  const bool rises = std::is_sorted(logger.times.begin(), logger.times.end()) &&
-                     std::none_of(logger.times.begin(), logger.times.end(), [](double t) { return std::isnan(t); });
+  const bool rises =
+      std::is_sorted(logger.times.begin(), logger.times.end()) &&
+      std::none_of(logger.times.begin(), logger.times.end(), [](double t) { return std::isnan(t); });
   if (!rises) logger.times.clear();
   return logger;
 }
@@ -41,8 +42,10 @@ Logger logger_of(const DraftFile& file, const std::vector<std::string>& joints) 
 /// Whether the two have one run together, and no time of one is a time of the other.
 bool belong_together(const Logger& a, const Logger& b) {
   if (a.times.empty() || b.times.empty() || a.times == b.times) return false;
-  const bool apart = (a.places && !a.loads && b.loads && !b.places) || (a.loads && !a.places && b.places && !b.loads);
-  const double begin = std::max(a.times.front(), b.times.front()), end = std::min(a.times.back(), b.times.back());
+  const bool apart =
+      (a.places && !a.loads && b.loads && !b.places) || (a.loads && !a.places && b.places && !b.loads);
+  const double begin = std::max(a.times.front(), b.times.front()),
+               end = std::min(a.times.back(), b.times.back());
   const double longer = std::max(a.times.back() - a.times.front(), b.times.back() - b.times.front());
   return apart && end - begin > longer / 2;
 }
@@ -79,7 +82,9 @@ std::string joined(const Logger& first, const Logger& second) {
     of_second.push_back(second.table.numbers(c));
   }
   text += "\n";
-  const auto field = [](double value) { return std::isnan(value) ? std::string(",") : fmt::format(",{:.10g}", value); };
+  const auto field = [](double value) {
+    return std::isnan(value) ? std::string(",") : fmt::format(",{:.10g}", value);
+  };
   for (std::size_t i = 0; i < first.times.size(); ++i) {
     const double time = first.times[i];
     if (time < second.times.front() || time > second.times.back()) continue;
@@ -99,10 +104,11 @@ std::vector<DraftFile> joined_clocks(std::vector<DraftFile> files, const std::ve
     for (std::size_t b = a + 1; b < files.size(); ++b) {
       const Logger first = logger_of(files[a], joints), second = logger_of(files[b], joints);
       if (!belong_together(first, second)) continue;
-      guesses.push_back({"files of " + files[a].name, fmt::format("joined with {}", files[b].name),
-                         fmt::format("one has the loads, the other the places, on one clock: values of {} between its "
-                                     "readings, at the times of {}",
-                                     files[b].name, files[a].name)});
+      guesses.push_back(
+          {"files of " + files[a].name, fmt::format("joined with {}", files[b].name),
+           fmt::format("one has the loads, the other the places, on one clock: values of {} between its "
+                       "readings, at the times of {}",
+                       files[b].name, files[a].name)});
       files[a].text = joined(first, second);
       files.erase(files.begin() + static_cast<std::ptrdiff_t>(b));
       break;

@@ -17,8 +17,8 @@ void take_chain(const exchange::PlanarChain& read, ReadDraftModel& result) {
   result.chain_notes = read.notes;
 }
 
-void take_arm(const exchange::SpatialArm& read, const std::filesystem::path& file, const exchange::ArmEnds& ends,
-              ReadDraftModel& result) {
+void take_arm(const exchange::SpatialArm& read, const std::filesystem::path& file,
+              const exchange::ArmEnds& ends, ReadDraftModel& result) {
   result.model.arm = std::make_shared<const NominalArm>(read.nominal);
   result.model.file = {file.filename().string(), files::read_text(file)};
   result.model.base_body = ends.base, result.model.tip = ends.tip;

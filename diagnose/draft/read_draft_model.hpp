@@ -24,7 +24,8 @@ struct ReadDraftModel {
 /// \param joints  that make a chain, the others held; empty: all, and the model may be an arm
 /// \param ends    of the arm, where a person names them
 /// \throws Error, one line, where the model is neither, as exchange::read_arm() does, or read_model() of a chain
-ReadDraftModel read_draft_model(const std::filesystem::path& file, const std::vector<std::string>& joints = {},
+ReadDraftModel read_draft_model(const std::filesystem::path& file,
+                                const std::vector<std::string>& joints = {},
                                 const exchange::ArmEnds& ends = {});
 
 }  // namespace plumbline::diagnose

@@ -84,7 +84,8 @@ class Rewriting {
     try {
       const WrittenTable table = written_table(text_, source_);
       if (table.format.transposed) return true;
-      return !table_header(lines_, cut_).several_lines && !has_other_lines() && !has_column_of_units(table.names);
+      return !table_header(lines_, cut_).several_lines && !has_other_lines() &&
+             !has_column_of_units(table.names);
     } catch (const Error&) {
       return false;
     }
@@ -100,7 +101,8 @@ class Rewriting {
   }
 
   static bool is_word_unit(const std::string& name) {
-    static const std::set<std::string> words{"unit", "units", "einheit", "unite", "unidad", "\u5355\u4f4d", "\u5358\u4f4d"};
+    static const std::set<std::string> words{"unit",   "units",        "einheit",     "unite",
+                                             "unidad", "\u5355\u4f4d", "\u5358\u4f4d"};
     return words.contains(folded(name));
   }
   static bool has_column_of_units(const std::vector<std::string>& names) {
@@ -114,7 +116,8 @@ class Rewriting {
     columns_.resize(std::max(cut_.columns, header.words.size()));
     for (std::size_t c = 0; c < columns_.size(); ++c) {
       columns_[c].name = c < header.words.size() ? header.words[c] : "";
-      if (c < units.size() && !units[c].empty() && units[c] != "hh:mm:ss") columns_[c].name += " [" + units[c] + "]";
+      if (c < units.size() && !units[c].empty() && units[c] != "hh:mm:ss")
+        columns_[c].name += " [" + units[c] + "]";
     }
     named_ = header.names.has_value();
     std::size_t left_out = 0;
@@ -144,7 +147,8 @@ class Rewriting {
         before = cell.number;
         if (!cell.dated) cell.number += midnights;
       }
-      say("clock", column.name.empty() ? "seconds" : column.name + ", in s", "times by the clock, taken as seconds");
+      say("clock", column.name.empty() ? "seconds" : column.name + ", in s",
+          "times by the clock, taken as seconds");
       column.name = column.name.empty() ? "" : column.name + " [s]";
     }
   }

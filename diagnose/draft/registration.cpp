@@ -25,7 +25,8 @@ Pairs pairs_of(const std::vector<ArmRun>& runs, const NominalArm& arm) {
     }
   Pairs pairs{Points(3, nominal.size()), Points(3, nominal.size())};
   for (std::size_t i = 0; i < nominal.size(); ++i)
-    pairs.nominal.col(static_cast<Eigen::Index>(i)) = nominal[i], pairs.read.col(static_cast<Eigen::Index>(i)) = read[i];
+    pairs.nominal.col(static_cast<Eigen::Index>(i)) = nominal[i],
+    pairs.read.col(static_cast<Eigen::Index>(i)) = read[i];
   return pairs;
 }
 
@@ -57,7 +58,8 @@ Registration registered(const std::vector<ArmRun>& runs, const NominalArm& arm) 
     const double ratio = spread(pairs.nominal, pairs.read) / spread(pairs.read, pairs.read);
     double nearest = std::numeric_limits<double>::infinity();
     for (const char* unit : {"m", "mm", "cm", "in"})
-      if (const double off = std::abs(std::log(ratio / parse_unit(unit, quantity::length, "").in_si())); off < nearest)
+      if (const double off = std::abs(std::log(ratio / parse_unit(unit, quantity::length, "").in_si()));
+          off < nearest)
         nearest = off, result.unit = unit;
   }
   const Points read = pairs.read * parse_unit(result.unit, quantity::length, "").in_si();
@@ -66,7 +68,8 @@ Registration registered(const std::vector<ArmRun>& runs, const NominalArm& arm) 
   if (!read.allFinite() || read.cols() < least) return result;
   const Eigen::Matrix4d moved = Eigen::umeyama(pairs.nominal, read, false);
   result.frame.matrix() = moved;
-  const Points at = (moved.topLeftCorner<3, 3>() * pairs.nominal).colwise() + moved.topRightCorner<3, 1>().eval();
+  const Points at =
+      (moved.topLeftCorner<3, 3>() * pairs.nominal).colwise() + moved.topRightCorner<3, 1>().eval();
   result.as_registered = rms(read - at);
   // A frame that is a little off is a cause, which the diagnosis is to find; another frame is a fact.
   constexpr double far = 0.02, clearly = 5;

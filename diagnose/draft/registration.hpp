@@ -18,8 +18,8 @@ struct Registration {
 };
 
 /// Places over all runs against those of the nominal tip at the commands. Distances among places do not know
-/// the frame, and tell the unit; the frame is the rigid motion of least squares (S. Umeyama, IEEE PAMI 13, 1991).
-/// Two coordinates, or fewer than four places, have their unit alone.
+/// the frame, and tell the unit; the frame is the rigid motion of least squares (S. Umeyama, IEEE PAMI 13,
+/// 1991). Two coordinates, or fewer than four places, have their unit alone.
 Registration registered(const std::vector<ArmRun>& runs, const NominalArm& arm);
 
 }  // namespace plumbline::diagnose

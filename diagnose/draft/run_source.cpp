@@ -112,7 +112,8 @@ std::vector<ColumnWords> RunSource::words(const std::vector<std::string>& joints
   return all;
 }
 
-std::vector<RunSource> run_sources(const std::vector<DraftFile>& files, const std::vector<std::string>& joints,
+std::vector<RunSource> run_sources(const std::vector<DraftFile>& files,
+                                   const std::vector<std::string>& joints,
                                    const std::vector<ToldColumn>& told, Guesses& guesses) {
   std::vector<RunSource> all;
   std::set<std::string> known;

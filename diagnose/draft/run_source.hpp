@@ -28,8 +28,8 @@ struct SourcePart {
 struct RunSource {
   std::string id;
   std::vector<SourcePart> parts;
-  bool follow = false;                    ///< the parts have the same columns and follow one another
-  std::vector<std::size_t> others = {};   ///< columns of other runs in the same table
+  bool follow = false;                           ///< the parts have the same columns and follow one another
+  std::vector<std::size_t> others = {};          ///< columns of other runs in the same table
   std::map<std::size_t, ColumnWords> told = {};  ///< content of columns whose titles do not say it
 
   /// In words: its file, or its id where the file has several runs or the run several files.
@@ -60,7 +60,8 @@ struct ToldColumn {
 /// \param joints  their names in the model
 /// \param told    what a person says, which counts before what words say
 /// \throws Error for a told column that no table has
-std::vector<RunSource> run_sources(const std::vector<DraftFile>& files, const std::vector<std::string>& joints,
+std::vector<RunSource> run_sources(const std::vector<DraftFile>& files,
+                                   const std::vector<std::string>& joints,
                                    const std::vector<ToldColumn>& told, Guesses& guesses);
 
 }  // namespace plumbline::diagnose

@@ -77,7 +77,8 @@ Blocks numbered(const RunSource& whole, const std::vector<ColumnWords>& words) {
   std::map<std::string, Blocks> by_stem;
   for (std::size_t c = 0; c < words.size(); ++c) {
     const std::string title = whole.title(c), name = stem(title);
-    const bool unsaid = words[c].kind == Kind::none || words[c].kind == Kind::run || words[c].kind == Kind::number;
+    const bool unsaid =
+        words[c].kind == Kind::none || words[c].kind == Kind::run || words[c].kind == Kind::number;
     if (unsaid && !name.empty() && name.size() < title.size()) by_stem[name].push_back({c});
   }
   Blocks best;

@@ -37,7 +37,8 @@ std::size_t end_of_rows(const std::vector<bool>& row, const std::vector<Line>& l
   std::size_t before = 0, end = first;
   for (std::size_t l = first; l < row.size(); ++l) {
     if (!row[l] && !lines[l].comment) {
-      const auto after = static_cast<std::size_t>(std::count(row.begin() + static_cast<std::ptrdiff_t>(l), row.end(), true));
+      const auto after =
+          static_cast<std::size_t>(std::count(row.begin() + static_cast<std::ptrdiff_t>(l), row.end(), true));
       if (few * after <= before) return end;
     }
     if (row[l]) ++before, end = l + 1;
@@ -111,10 +112,11 @@ std::vector<Line> lines_of(const std::string& text) {
   for (std::string line; std::getline(in, line); ++number) {
     const std::size_t first = line.find_first_not_of(" \t\r");
     if (first == std::string::npos) continue;
-    const bool comment = std::any_of(comment_marks().begin(), comment_marks().end(), [&](const std::string& mark) {
-      // "%time" is a name, as ROS writes it
-      return line.compare(first, mark.size(), mark) == 0 && line.compare(first, 5, "%time") != 0;
-    });
+    const bool comment =
+        std::any_of(comment_marks().begin(), comment_marks().end(), [&](const std::string& mark) {
+          // "%time" is a name, as ROS writes it
+          return line.compare(first, mark.size(), mark) == 0 && line.compare(first, 5, "%time") != 0;
+        });
     all.push_back({number, line, comment});
   }
   return all;

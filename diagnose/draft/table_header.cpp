@@ -12,8 +12,9 @@ namespace plumbline::diagnose {
 namespace {
 
 bool is_unit_or_format(const std::string& field) {
-  static const std::array quantities{&quantity::length, &quantity::force,  &quantity::angle,   &quantity::time,
-                                     &quantity::mass,   &quantity::torque, &quantity::pressure};
+  static const std::array quantities{&quantity::length,  &quantity::force, &quantity::angle,
+                                     &quantity::time,    &quantity::mass,  &quantity::torque,
+                                     &quantity::pressure};
   static const std::set<std::string> formats{"hh:mm:ss", "-", "v", "mv", "%", "hz", "[-]", "counts"};
   return formats.contains(folded(field)) || is_temperature_unit(field) || is_current_unit(field) ||
          std::any_of(quantities.begin(), quantities.end(),
@@ -51,10 +52,12 @@ TableHeader table_header(const std::vector<Line>& lines, const Cut& cut) {
   TableHeader header;
   std::vector<std::size_t> above;
   for (std::size_t l = 0; l < cut.first_row; ++l)
-    if (!lines[l].comment && names_columns(fields_of(lines[l].text, cut.delimiter), cut, false)) above.push_back(l);
+    if (!lines[l].comment && names_columns(fields_of(lines[l].text, cut.delimiter), cut, false))
+      above.push_back(l);
   if (above.empty() && cut.first_row > 0 && cut.delimiter != ' ') {
     const std::size_t last = cut.first_row - 1;
-    if (!lines[last].comment && names_columns(fields_of(lines[last].text, cut.delimiter), cut, true)) above = {last};
+    if (!lines[last].comment && names_columns(fields_of(lines[last].text, cut.delimiter), cut, true))
+      above = {last};
   }
   if (above.empty()) return header;
   const auto fields = [&](std::size_t l) {
@@ -62,7 +65,8 @@ TableHeader table_header(const std::vector<Line>& lines, const Cut& cut) {
     all.resize(std::max(all.size(), cut.columns));
     return all;
   };
-  if (above.size() > 1 && looks_like_units(fields(above.back()))) header.units = above.back(), above.pop_back();
+  if (above.size() > 1 && looks_like_units(fields(above.back())))
+    header.units = above.back(), above.pop_back();
   header.names = above.back();
   header.words = fields(above.back());
   for (above.pop_back(); repeat(header.words) && !above.empty(); above.pop_back()) {

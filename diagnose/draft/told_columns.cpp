@@ -78,7 +78,8 @@ ColumnWords words_of_channel(const std::string& name) {
     if (numbered && name.size() < stem.size() + digits) words.joint = std::stoul(name.substr(stem.size()));
     return words;
   }
-  throw Error("--columns", files::shown(name), fmt::format("one of {}, q1 …, q_command1 …, torque1 …", fmt::join(channel_words(), ", ")));
+  throw Error("--columns", files::shown(name),
+              fmt::format("one of {}, q1 …, q_command1 …, torque1 …", fmt::join(channel_words(), ", ")));
 }
 
 /// A torque may be told in the unit of a force on a lever, a force by the mass that weighs so much.
@@ -103,10 +104,12 @@ std::vector<ToldColumn> told_columns(const std::string& text) {
   for (const std::string& entry : parts(text, ',')) {
     const std::size_t is = entry.find('=');
     if (is == std::string::npos || is + 1 == entry.size())
-      throw Error("--columns", files::shown(entry), "CHANNEL=COLUMN or CHANNEL=COLUMN:UNIT, with commas between them");
+      throw Error("--columns", files::shown(entry),
+                  "CHANNEL=COLUMN or CHANNEL=COLUMN:UNIT, with commas between them");
     ToldColumn& told = all.emplace_back(ToldColumn{"", words_of_channel(entry.substr(0, is))});
     std::vector<std::string> said = parts(entry.substr(is + 1), ':');
-    if (said.front().size() > 1 && said.front().front() == '-') told.words.sign = -1, said.front().erase(0, 1);
+    if (said.front().size() > 1 && said.front().front() == '-')
+      told.words.sign = -1, said.front().erase(0, 1);
     told.column = said.front();
     if (said.size() > 1) take_unit(told.words, said[1]);
     if (is_actuation(told.words.kind)) told.words.variable = variable_of({folded(told.column)});

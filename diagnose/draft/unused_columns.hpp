@@ -15,9 +15,9 @@ struct UsedColumns {
   std::function<bool(std::size_t column)> uses;
 };
 
-/// A column that says a force, a torque, a mass, an angle, a current or a temperature is doubtful: the diagnosis may
-/// miss it.
-void account_for_columns(const std::vector<UsedColumns>& runs, const std::vector<std::string>& joints, const Ask& ask,
-                         Guesses& guesses);
+/// A column that says a force, a torque, a mass, an angle, a current or a temperature is doubtful: the
+/// diagnosis may miss it.
+void account_for_columns(const std::vector<UsedColumns>& runs, const std::vector<std::string>& joints,
+                         const Ask& ask, Guesses& guesses);
 
 }  // namespace plumbline::diagnose

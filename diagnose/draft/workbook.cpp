@@ -71,12 +71,14 @@ std::string as_time(double serial) {
   constexpr double days_to_1970 = 25569;
   const double seconds = std::round((serial - std::floor(serial)) * seconds_a_day * 1e6) / 1e6;
   const int whole = static_cast<int>(seconds);
-  const std::string clock = fmt::format("{:02}:{:02}:{:09.6f}", whole / 3600, whole / 60 % 60, seconds - whole + whole % 60);
+  const std::string clock =
+      fmt::format("{:02}:{:02}:{:09.6f}", whole / 3600, whole / 60 % 60, seconds - whole + whole % 60);
   if (serial < 1) return clock;
-  const auto day = std::chrono::sys_days(std::chrono::days(static_cast<int>(std::floor(serial) - days_to_1970)));
+  const auto day =
+      std::chrono::sys_days(std::chrono::days(static_cast<int>(std::floor(serial) - days_to_1970)));
   const std::chrono::year_month_day date(day);
-  return fmt::format("{:04}-{:02}-{:02}T{}", static_cast<int>(date.year()), static_cast<unsigned>(date.month()),
-                     static_cast<unsigned>(date.day()), clock);
+  return fmt::format("{:04}-{:02}-{:02}T{}", static_cast<int>(date.year()),
+                     static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()), clock);
 }
 
 class Workbook {
@@ -99,7 +101,8 @@ class Workbook {
       one.name = sheet.attribute("name").value();
       if (one.numbers > 0) all.push_back(std::move(one));
     }
-    if (all.empty()) throw Error(source_, "no sheet with numbers", "a workbook (.xlsx) with a table of readings");
+    if (all.empty())
+      throw Error(source_, "no sheet with numbers", "a workbook (.xlsx) with a table of readings");
     return all;
   }
 
@@ -116,7 +119,8 @@ class Workbook {
 
   void read_strings() {
     const pugi::xml_document shared = document("xl/sharedStrings.xml");
-    for (const pugi::xml_node& one : children(shared.first_child(), "si")) strings_.push_back(text_below(one));
+    for (const pugi::xml_node& one : children(shared.first_child(), "si"))
+      strings_.push_back(text_below(one));
   }
 
   void read_styles() {
@@ -167,7 +171,8 @@ class Workbook {
     }
     const auto style = static_cast<std::size_t>(cell.attribute("s").as_uint());
     const double number = number_of(value, '.');
-    return type.empty() && style < is_time_.size() && is_time_[style] && !std::isnan(number) ? as_time(number) : value;
+    return type.empty() && style < is_time_.size() && is_time_[style] && !std::isnan(number) ? as_time(number)
+                                                                                             : value;
   }
 
   const std::string& source_;

@@ -26,5 +26,4 @@ struct WrittenTable {
 /// \throws Error where no way to read it gives rows of numbers
 WrittenTable written_table(const std::string& text, const std::string& source);
 
-
 }  // namespace plumbline::diagnose

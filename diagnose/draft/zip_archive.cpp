@@ -28,7 +28,9 @@ class Archive {
   }
 
  private:
-  [[noreturn]] void refuse(const std::string& found) const { throw Error(source_, found, "a whole zip archive"); }
+  [[noreturn]] void refuse(const std::string& found) const {
+    throw Error(source_, found, "a whole zip archive");
+  }
 
   [[nodiscard]] std::string part(std::size_t from, std::size_t size) const {
     if (from > bytes_.size() || size > bytes_.size() - from) refuse("an end in the middle");
@@ -44,8 +46,9 @@ class Archive {
 
   /// \param entry  where the list has it
   std::string unpacked(std::size_t entry) {
-    const std::size_t flags = number(entry + 8, 2), method = number(entry + 10, 2), packed = number(entry + 20, 4),
-                      size = number(entry + 24, 4), head = number(entry + 42, 4);
+    const std::size_t flags = number(entry + 8, 2), method = number(entry + 10, 2),
+                      packed = number(entry + 20, 4), size = number(entry + 24, 4),
+                      head = number(entry + 42, 4);
     constexpr std::size_t most = 256U << 20U;
     total_ += size;
     if (total_ > most) refuse("more than 256 MB");

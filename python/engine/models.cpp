@@ -78,12 +78,13 @@ py::dict arm_of(const std::string& file, const std::string& base, const std::str
 }
 
 py::dict draft_of(const std::string& name, const std::string& file, const std::vector<std::string>& joints,
-                  const Texts& tables, const std::string& columns, const std::string& base, const std::string& tip) {
+                  const Texts& tables, const std::string& columns, const std::string& base,
+                  const std::string& tip) {
   const auto draft = unlocked([&] {
     std::vector<diagnose::DraftFile> given;
     for (const auto& [title, text] : tables) given.push_back({title, text});
-    return diagnose::draft_experiment(name, diagnose::read_draft_model(file, joints, {base, tip}).model, given, {},
-                                      diagnose::told_columns(columns));
+    return diagnose::draft_experiment(name, diagnose::read_draft_model(file, joints, {base, tip}).model,
+                                      given, {}, diagnose::told_columns(columns));
   });
   py::list guesses;
   for (const diagnose::Guess& one : draft.guesses)

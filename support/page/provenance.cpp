@@ -53,9 +53,10 @@ std::string json_text(nlohmann::ordered_json object, const Provenance& provenanc
 }
 
 std::string on_page(std::string html, const Provenance& provenance) {
-  const std::string line = fmt::format(
-      "<p class=\"quiet provenance\">Made on {} by {}: <code>{}</code>{}.</p>\n", date(),
-      escaped(provenance.program), escaped(brief(without_folders(provenance.command))), words_for_inputs(provenance));
+  const std::string line =
+      fmt::format("<p class=\"quiet provenance\">Made on {} by {}: <code>{}</code>{}.</p>\n", date(),
+                  escaped(provenance.program), escaped(brief(without_folders(provenance.command))),
+                  words_for_inputs(provenance));
   const std::size_t footer = html.rfind("</footer>");
   if (footer != std::string::npos) return html.insert(footer, line);
   return html.insert(html.rfind("</body>"), "<footer>\n" + line + "</footer>\n");

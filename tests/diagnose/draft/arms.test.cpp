@@ -84,12 +84,14 @@ Pose<double> foreign() {
 }  // namespace
 
 TEST_CASE("poses of an arm are drafted whatever their columns are called") {
-  for (const char* head : {"q1,q2,q3,x,y,z", "pan (deg),lift (deg),elbow (deg),tip_x [mm],tip_y [mm],tip_z [mm]",
-                           "J1_cmd,J2_cmd,J3_cmd,Position X,Position Y,Position Z",
-                           "joint_1_pos,joint_2_pos,joint_3_pos,tcp.x,tcp.y,tcp.z",
-                           "Gelenk 1,Gelenk 2,Gelenk 3,X (mm),Y (mm),Z (mm)"}) {
+  for (const char* head :
+       {"q1,q2,q3,x,y,z", "pan (deg),lift (deg),elbow (deg),tip_x [mm],tip_y [mm],tip_z [mm]",
+        "J1_cmd,J2_cmd,J3_cmd,Position X,Position Y,Position Z",
+        "joint_1_pos,joint_2_pos,joint_3_pos,tcp.x,tcp.y,tcp.z",
+        "Gelenk 1,Gelenk 2,Gelenk 3,X (mm),Y (mm),Z (mm)"}) {
     CAPTURE(head);
-    const Draft draft = draft_experiment("arm", three_joints(), {{"poses.csv", poses_table(Pose<double>::Identity(), head)}});
+    const Draft draft =
+        draft_experiment("arm", three_joints(), {{"poses.csv", poses_table(Pose<double>::Identity(), head)}});
     CAPTURE(draft.settings);
     CHECK(draft.question == "");
     CHECK(draft.bench == BenchKind::arm);
@@ -103,7 +105,8 @@ TEST_CASE("poses of an arm are drafted whatever their columns are called") {
 }
 
 TEST_CASE("the frame of the tracker is told, and with it the model has the readings") {
-  const Draft draft = draft_experiment("arm", three_joints(), {{"poses.csv", poses_table(foreign(), "q1,q2,q3,x,y,z")}});
+  const Draft draft =
+      draft_experiment("arm", three_joints(), {{"poses.csv", poses_table(foreign(), "q1,q2,q3,x,y,z")}});
   CAPTURE(draft.settings);
   CHECK(draft.question == "");
   const toml::table settings = files::parse_toml(draft.settings, "experiment.toml");
@@ -111,7 +114,8 @@ TEST_CASE("the frame of the tracker is told, and with it the model has the readi
   REQUIRE(place != nullptr);
   for (std::size_t axis = 0; axis < 3; ++axis)
     // places were written to a ten-thousandth of a millimetre
-    CHECK(std::abs(*place->get(axis)->value<double>() - foreign().translation()(static_cast<Eigen::Index>(axis))) < 1e-6);
+    CHECK(std::abs(*place->get(axis)->value<double>() -
+                   foreign().translation()(static_cast<Eigen::Index>(axis))) < 1e-6);
   const auto* gravity = settings["arm"]["gravity"].as_array();
   REQUIRE(gravity != nullptr);
   const Eigen::Vector3d down = foreign().linear() * Eigen::Vector3d(0, 0, -9.81);
@@ -122,7 +126,8 @@ TEST_CASE("the frame of the tracker is told, and with it the model has the readi
 TEST_CASE("a frame that is a little off stays for the diagnosis to find") {
   Pose<double> near = Pose<double>::Identity();
   near.translation() = Eigen::Vector3d(0.002, 0, 0);
-  const Draft draft = draft_experiment("arm", three_joints(), {{"poses.csv", poses_table(near, "q1,q2,q3,x,y,z")}});
+  const Draft draft =
+      draft_experiment("arm", three_joints(), {{"poses.csv", poses_table(near, "q1,q2,q3,x,y,z")}});
   CHECK(draft.settings.find("base_xyz") == std::string::npos);
 }
 
@@ -140,7 +145,8 @@ TEST_CASE("a camera sees two coordinates") {
 
 TEST_CASE("orientations by quaternion, and by roll, pitch and yaw") {
   for (const bool quaternion : {true, false}) {
-    std::string text = quaternion ? "q1,q2,q3,tip_x,tip_y,tip_z,qx,qy,qz,qw\n" : "q1,q2,q3,x,y,z,roll,pitch,yaw\n";
+    std::string text =
+        quaternion ? "q1,q2,q3,tip_x,tip_y,tip_z,qx,qy,qz,qw\n" : "q1,q2,q3,x,y,z,roll,pitch,yaw\n";
     for (int i = 0; i < 8; ++i) {
       const std::vector<double> q = pose(i);
       const Pose<double> at = nominal_place(q);
@@ -148,22 +154,24 @@ TEST_CASE("orientations by quaternion, and by roll, pitch and yaw") {
                           at.translation().y(), at.translation().z());
       const Eigen::Quaterniond turn(at.linear());
       // pan about z, then lift and elbow about y: yaw and pitch
-      text += quaternion ? fmt::format(",{:.8f},{:.8f},{:.8f},{:.8f}\n", turn.x(), turn.y(), turn.z(), turn.w())
-                         : fmt::format(",0,{:.8f},{:.8f}\n", q[1] + q[2], q[0]);
+      text += quaternion
+                  ? fmt::format(",{:.8f},{:.8f},{:.8f},{:.8f}\n", turn.x(), turn.y(), turn.z(), turn.w())
+                  : fmt::format(",0,{:.8f},{:.8f}\n", q[1] + q[2], q[0]);
     }
     CAPTURE(text);
     const Draft draft = draft_experiment("arm", three_joints(), {{"poses.csv", text}});
     CHECK(draft.question == "");
     const std::vector<double> w = column(draft, "tip_qw");
     for (int i = 0; i < 8; ++i)
-      CHECK(std::abs(std::abs(w[static_cast<std::size_t>(i)]) - std::abs(Eigen::Quaterniond(nominal_place(pose(i)).linear()).w())) <
-            1e-6);
+      CHECK(std::abs(std::abs(w[static_cast<std::size_t>(i)]) -
+                     std::abs(Eigen::Quaterniond(nominal_place(pose(i)).linear()).w())) < 1e-6);
   }
 }
 
 TEST_CASE("poses without angles of every joint are a question that names them") {
-  CHECK_THROWS_WITH_AS(draft_experiment("arm", three_joints(), {{"poses.csv", "q1,x,y,z\n1,2,3,4\n2,3,4,5\n"}}),
-                       doctest::Contains("pan, lift, elbow"), Error);
+  CHECK_THROWS_WITH_AS(
+      draft_experiment("arm", three_joints(), {{"poses.csv", "q1,x,y,z\n1,2,3,4\n2,3,4,5\n"}}),
+      doctest::Contains("pan, lift, elbow"), Error);
 }
 
 }  // namespace plumbline::diagnose

@@ -57,8 +57,8 @@ Experiment read_bench(const Draft& draft) {
 }
 
 std::size_t doubts(const Draft& draft) {
-  return static_cast<std::size_t>(
-      std::count_if(draft.guesses.begin(), draft.guesses.end(), [](const Guess& one) { return one.doubtful; }));
+  return static_cast<std::size_t>(std::count_if(draft.guesses.begin(), draft.guesses.end(),
+                                                [](const Guess& one) { return one.doubtful; }));
 }
 
 /// Drafted without a question or a doubt.
@@ -89,8 +89,9 @@ TEST_CASE("a torque over an angle is a joint that is turned") {
 
 TEST_CASE("an encoder at the motor is the command of the one at the link") {
   const Experiment experiment = drafted(nominal_model("joint = \"revolute\"\njoint_stiffness = [4000.0]\n"),
-                                        {{"hold.csv", "motor_deg,link_deg,load_Nm\n0,0.0052,0\n0,0.5667,30\n"
-                                                      "0,1.1385,60\n0,0.5801,30\n0,-0.0014,0\n0,-0.5837,-30\n"}});
+                                        {{"hold.csv",
+                                          "motor_deg,link_deg,load_Nm\n0,0.0052,0\n0,0.5667,30\n"
+                                          "0,1.1385,60\n0,0.5801,30\n0,-0.0014,0\n0,-0.5837,-30\n"}});
   REQUIRE(experiment.runs[0].commands_joints());
   CHECK(experiment.runs[0].readings[2][column_Fx] == 60);
   CHECK(std::abs(experiment.runs[0].readings[2][column_x] - 1.1385 * degree) < 1e-9);
@@ -130,10 +131,10 @@ TEST_CASE("commands of servos and what was reached are a run of poses, a line ea
 }
 
 TEST_CASE("a tendon: its moment arms are asked for") {
-  const Draft draft = draft_experiment(
-      "finger",
-      nominal_model("link_length = [0.045, 0.03, 0.025]\njoint_stiffness = [0.16, 0.12, 0.1]\nrest = [0.17, 0.26, 0.17]\n"),
-      {of_document("tendons.md", "finger/bend.csv")});
+  const Draft draft = draft_experiment("finger",
+                                       nominal_model("link_length = [0.045, 0.03, 0.025]\njoint_stiffness = "
+                                                     "[0.16, 0.12, 0.1]\nrest = [0.17, 0.26, 0.17]\n"),
+                                       {of_document("tendons.md", "finger/bend.csv")});
   CHECK(draft.question.find("radius of tension") != std::string::npos);
 }
 
@@ -145,14 +146,15 @@ TEST_CASE("grams on a spring are a force, by the words of the heading") {
 }
 
 TEST_CASE("of raw counts and newtons the newtons are one specimen's force") {
-  const Experiment experiment =
-      drafted(nominal_model("joint = \"prismatic\"\njoint_stiffness = [250000]\n"), {at_the_door("raw-and-newtons.csv")});
+  const Experiment experiment = drafted(nominal_model("joint = \"prismatic\"\njoint_stiffness = [250000]\n"),
+                                        {at_the_door("raw-and-newtons.csv")});
   REQUIRE(experiment.runs.size() == 1);
   CHECK(experiment.runs[0].readings[2][column_Fx] == 7.5);
 }
 
 TEST_CASE("clocks of ISO 8601 and units in the cells") {
-  const Experiment iso = drafted(nominal_model("joint = \"revolute\"\njoint_stiffness = [103]\n"), {at_the_door("iso-time.csv")});
+  const Experiment iso = drafted(nominal_model("joint = \"revolute\"\njoint_stiffness = [103]\n"),
+                                 {at_the_door("iso-time.csv")});
   CHECK(std::abs(iso.runs[0].readings[3].t - iso.runs[0].readings[0].t - 0.3) < 1e-6);
   const Experiment cells = drafted(nominal_model(torsion), {at_the_door("degrees-in-the-cells.csv")});
   REQUIRE(cells.runs[0].commands_joints());
@@ -161,8 +163,9 @@ TEST_CASE("clocks of ISO 8601 and units in the cells") {
 }
 
 TEST_CASE("two loggers on one clock are one run, at the times of the first") {
-  const Experiment experiment = drafted(nominal_model("joint = \"prismatic\"\njoint_stiffness = [2000]\n"),
-                                        {at_the_door("two-clocks-position.txt"), at_the_door("two-clocks-force.txt")});
+  const Experiment experiment =
+      drafted(nominal_model("joint = \"prismatic\"\njoint_stiffness = [2000]\n"),
+              {at_the_door("two-clocks-position.txt"), at_the_door("two-clocks-force.txt")});
   REQUIRE(experiment.runs.size() == 1);
   CHECK(experiment.runs[0].readings.size() > 3);
 }
@@ -180,8 +183,9 @@ TEST_CASE("columns without a header are told by their numbers") {
 }
 
 TEST_CASE("a recording of motion capture without joint angles is a question") {
-  CHECK_THROWS_WITH_AS(draft_experiment("capture", nominal_model(torsion), {at_the_door("motion-capture.csv")}),
-                       doctest::Contains("--columns"), Error);
+  CHECK_THROWS_WITH_AS(
+      draft_experiment("capture", nominal_model(torsion), {at_the_door("motion-capture.csv")}),
+      doctest::Contains("--columns"), Error);
 }
 
 TEST_CASE("what a person says of columns") {
@@ -193,8 +197,7 @@ TEST_CASE("what a person says of columns") {
   CHECK(told[1].words.joint == 2);
   CHECK(told[1].words.commanded);
   CHECK(told[2].column == "a:b,c");
-  for (const char* wrong : {"x", "x=", "force=1", "x=1:N", "=1"})
-    CHECK_THROWS_AS(told_columns(wrong), Error);
+  for (const char* wrong : {"x", "x=", "force=1", "x=1:N", "=1"}) CHECK_THROWS_AS(told_columns(wrong), Error);
 }
 
 }  // namespace plumbline::diagnose
