@@ -148,7 +148,7 @@ class ArmDrafter {
       for (const ArmColumn& column : run.columns) {
         const bool is = is_read(column.name) && column.name.starts_with(stem) &&
                         (column.name.size() < 6 || column.name[4] != 'q' || std::string(stem) == "tip_q");
-        if (!is) continue;
+        if (!is || finite(column.values).empty()) continue;
         constexpr double smooth = 0.05;
         const bool in_time = roughness(column.values) < smooth;
         if (const double one = in_time ? scatter_of(column.values) : usual; one > 0) all.push_back(one);

@@ -52,10 +52,11 @@ std::optional<std::string> say_guess(DraftedRun& run, const Ask& ask, Guess gues
 }
 
 EvenSteps even_steps(double of_place, double of_load, const char* places, const char* loads) {
-  constexpr double clearly = 2;
+  constexpr double clearly = 2, even = 0.002;  // where both go evenly, either may count as put
   const bool load = of_load < of_place;
+  const double more = std::max(of_place, of_load);
   return {
-      load, std::max(of_place, of_load) > clearly * std::min(of_place, of_load),
+      load, more > clearly * std::min(of_place, of_load) || more < even,
       fmt::format("from reading to reading the {} go more evenly than the {} ({:.2g} % against {:.2g} % of "
                   "their range)",
                   load ? loads : places, load ? places : loads, 100 * std::min(of_place, of_load),

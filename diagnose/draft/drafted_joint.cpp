@@ -79,7 +79,6 @@ class JointDrafter {
     if (!column) column = column_of(loads(), true);
     if (!column) return;
     const Kind kind = words_[*column].kind;
-    run_.by_weights = kind == Kind::mass;
     const std::string own = words_[*column].unit;
     // A person may have said a torque of a weight: "50 gf mm".
     if (slides_ || !unit_in(own, quantity::torque).empty() || kind == Kind::torque ||
@@ -192,11 +191,6 @@ class JointDrafter {
           fmt::format("{} is where the spring pulls to", title(run_.commands.front().place)));
       return;
     }
-    if (run_.by_weights) {
-      run_.imposes_force = true;
-      say("control", channel(draft_Fx), "weights are put");
-      return;
-    }
     const char *const place = slides_ ? "displacement" : "angle", *const load = slides_ ? "force" : "torque";
     const auto& s = run_.singles;
     const EvenSteps steps = even_steps(roughness(run_.source.numbers(s[draft_x]->place)),
@@ -206,6 +200,7 @@ class JointDrafter {
     const auto answer = say("control", steps.load ? load : place, steps.reason, !steps.sure,
                             fmt::format("control = \"{}\" in experiment.toml", steps.load ? place : load));
     if (answer) run_.imposes_force = *answer == load;
+    run_.by_weights = run_.imposes_force && words_[s[draft_Fx]->place].kind == Kind::mass;
   }
 
   const DraftModel& model_;

@@ -61,15 +61,15 @@ std::size_t doubts(const Draft& draft) {
                                                 [](const Guess& one) { return one.doubtful; }));
 }
 
-/// Drafted without a question or a doubt.
+/// Drafted without a question, and with so many doubts at most.
 Experiment drafted(const DraftModel& of, const std::vector<DraftFile>& files,
-                   const std::vector<ToldColumn>& told = {}) {
+                   const std::vector<ToldColumn>& told = {}, std::size_t most = 0) {
   const Draft draft = draft_experiment("bench", of, files, {}, told);
   CAPTURE(draft.settings);
   for (const Guess& guess : draft.guesses)
     if (guess.doubtful) MESSAGE(guess.what, ": ", guess.value, " (", guess.reason, ")");
   CHECK(draft.question == "");
-  CHECK(doubts(draft) == 0);
+  CHECK(doubts(draft) <= most);
   return read_bench(draft);
 }
 
@@ -139,7 +139,8 @@ TEST_CASE("a tendon: its moment arms are asked for") {
 }
 
 TEST_CASE("grams on a spring are a force, by the words of the heading") {
-  const Experiment experiment = drafted(nominal_model(spring), {at_the_door("spring-table.csv")});
+  const Experiment experiment =
+      drafted(nominal_model(spring), {at_the_door("spring-table.csv")}, {}, 1);  // which of the two is put
   const Reading& third = experiment.runs[0].readings[2];
   CHECK(third[column_x] == 0.010);
   CHECK(std::abs(third[column_Fx] - 1.310 * 9.80665) < 1e-9);
@@ -165,7 +166,8 @@ TEST_CASE("clocks of ISO 8601 and units in the cells") {
 TEST_CASE("two loggers on one clock are one run, at the times of the first") {
   const Experiment experiment =
       drafted(nominal_model("joint = \"prismatic\"\njoint_stiffness = [2000]\n"),
-              {at_the_door("two-clocks-position.txt"), at_the_door("two-clocks-force.txt")});
+              {at_the_door("two-clocks-position.txt"), at_the_door("two-clocks-force.txt")},
+              told_columns("x=displacement:in"), 1);
   REQUIRE(experiment.runs.size() == 1);
   CHECK(experiment.runs[0].readings.size() > 3);
 }
