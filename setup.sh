@@ -20,7 +20,7 @@ program=(
   # symbolic algebra
   libginac-dev
   # command line, formats, text
-  libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libcsv-dev libfmt-dev libssl-dev libkainjow-mustache-dev libpugixml-dev
+  libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libcsv-dev libfmt-dev libssl-dev libkainjow-mustache-dev libpugixml-dev zlib1g-dev
   # the page of `plumbline serve`
   libcpp-httplib-dev pkg-config
   # expressions of the effects that users state

@@ -36,8 +36,10 @@ function does(id, work) {
 
 const isModel = (name) => /\.(xml|urdf|sdf|toml)$/i.test(name);
 
+/** Files add up; one of a name that is there, or another model, takes its place. */
 function choose(files) {
-  chosen = [...files];
+  const added = [...files], model = added.some((file) => isModel(file.name));
+  chosen = chosen.filter((old) => !added.some((file) => file.name === old.name) && !(model && isModel(old.name))).concat(added);
   part("chosen").replaceChildren(...chosen.map((file) => {
     const line = document.createElement("li");
     line.textContent = `${file.name}: ${isModel(file.name) ? "the model" : "readings"}, ${Math.ceil(file.size / 1024)} kB`;
@@ -152,6 +154,7 @@ does("take", async () => {
   const form = new FormData();
   for (const file of chosen) form.append(isModel(file.name) ? "model" : "table", file, file.name);
   for (const joint of part("joints").value.split(",").map((one) => one.trim()).filter(Boolean)) form.append("joint", joint);
+  form.append("columns", part("columns").value);
   say("Reading …");
   show(await ask("take", form));
   part("read-title").focus();
@@ -171,6 +174,7 @@ does("begin", async () => {
   say("Diagnosing …");
   part("cancel").focus();
   showResult(await watch());
+  part("work-title").focus();
 });
 does("cancel", () => ask("cancel", ""));
 part("files").addEventListener("change", () => choose(part("files").files));

@@ -152,14 +152,16 @@ class Page {
       throw Error("files", std::to_string(request.files.size()), fmt::format("at most {}", most_files));
     std::vector<NamedFile> models, tables;
     std::vector<std::string> joints;
+    std::string columns;
     for (const auto& [field, file] : request.files) {
       if (field == "model") models.push_back({file.filename, file.content});
       if (field == "table") tables.push_back({file.filename, file.content});
       if (field == "joint") joints.push_back(file.content);
+      if (field == "columns") columns = file.content;
     }
     if (models.size() != 1)
       throw Error("model", std::to_string(models.size()), "one: .xml (MJCF), .urdf, .sdf or .toml");
-    return bench_.take(models.front(), tables, joints);
+    return bench_.take(models.front(), tables, joints, columns);
   }
 
   void add_results() {

@@ -8,7 +8,7 @@
 #include "app/command.hpp"
 #include "app/example_files.hpp"
 #include "app/experiment_input.hpp"
-#include "diagnose/bench/read_experiment.hpp"
+#include "diagnose/draft/told_columns.hpp"
 #include "diagnose/exchange/corrected.hpp"
 #include "diagnose/report/report.hpp"
 #include "diagnose/screening/conventions.hpp"
@@ -69,19 +69,19 @@ json guesses_of(const diagnose::Guesses& guesses) {
 }  // namespace
 
 json WorkBench::take(const NamedFile& model, const std::vector<NamedFile>& tables,
-                     const std::vector<std::string>& joints) {
+                     const std::vector<std::string>& joints, const std::string& columns) {
   cancel();
   place_.emplace();
   model_ = own_name(model.name);
   files::write_text(*place_ / model_, model.text);
-  read_ = read_for_draft(*place_ / model_, joints);
+  read_ = diagnose::read_draft_model(*place_ / model_, joints);
   std::vector<diagnose::DraftFile> drafted;
   for (const NamedFile& table : tables) {
     const std::string name = own_name(table.name);
-    files::require_text(table.text, name);
     drafted.push_back({name, table.text});
   }
-  draft_ = diagnose::draft_experiment(model_.substr(0, model_.find_last_of('.')), read_.model, drafted);
+  draft_ = diagnose::draft_experiment(model_.substr(0, model_.find_last_of('.')), read_.model, drafted, {},
+                                      diagnose::told_columns(columns));
   write_draft(draft_, place_->path());
   outcome_ = {};
   return described();
@@ -117,13 +117,13 @@ json WorkBench::correct(const std::string& settings) {
 
 /// As it is read now: what is wrong is said, and is no failure.
 json WorkBench::described() const {
-  json result{{"notes", read_.notes},
+  json result{{"notes", read_.notes(draft_.bench)},
               {"guesses", guesses_of(draft_.guesses)},
               {"settings", draft_.settings},
               {"question", draft_.question},
               {"runs", json::array()}};
   try {
-    const diagnose::Experiment experiment = diagnose::read_experiment(place_->path());
+    const diagnose::Experiment experiment = experiment_of({place_->path().string(), "", ""});
     for (const diagnose::Run& run : experiment.runs) result["runs"].push_back(readings(run));
     result["link_length"] = experiment.link_length;
     require_conventions(study_of({}, experiment));
@@ -219,7 +219,9 @@ std::vector<NamedFile> WorkBench::folder() const {
   std::vector<NamedFile> all;
   if (!place_) return all;
   for (const diagnose::DraftFile& file : files_of(draft_)) all.push_back({file.name, file.text});
-  if (!model_.empty()) all.push_back({model_, files::read_text(*place_ / model_)});
+  const auto is_model = [this](const NamedFile& file) { return file.name == model_; };
+  if (!model_.empty() && std::none_of(all.begin(), all.end(), is_model))
+    all.push_back({model_, files::read_text(*place_ / model_)});
   return all;
 }
 

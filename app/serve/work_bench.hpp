@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/drafted_folder.hpp"
+#include "diagnose/draft/read_draft_model.hpp"
 #include "support/files/temporary_folder.hpp"
 
 namespace plumbline::app {
@@ -30,9 +31,10 @@ class WorkBench {
   ~WorkBench() { cancel(); }
 
   /// Takes a model and tables, in place of those before, and drafts the experiment.
-  /// \param joints  that make the chain; empty: all
+  /// \param joints   that make the chain; empty: all
+  /// \param columns  what they hold, as told_columns() takes it; or empty
   nlohmann::json take(const NamedFile& model, const std::vector<NamedFile>& tables,
-                      const std::vector<std::string>& joints);
+                      const std::vector<std::string>& joints, const std::string& columns = "");
   /// Takes the example that the program has in it.
   nlohmann::json take_example();
   /// Takes experiment.toml as the person corrected it, and says what it is read as.
@@ -66,7 +68,7 @@ class WorkBench {
 
   std::optional<files::TemporaryFolder> place_;
   std::string model_;  ///< its name in the place; or none
-  ReadForDraft read_;
+  diagnose::ReadDraftModel read_;
   diagnose::Draft draft_;
   mutable std::mutex mutex_;  ///< of the outcome
   Outcome outcome_;

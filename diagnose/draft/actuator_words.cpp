@@ -35,14 +35,14 @@ bool is_force_of_tendon(const std::string& word) {
 }
 
 bool says_tension(const std::vector<std::string>& words) {
-  static const WordSet tensions{"tension", "seilspannung", "sehnenspannung", "tensi\u00f3n"},
+  static const WordSet tensions{"tension", "seilspannung", "sehnenspannung", "tension"},
       forces{"f", "force", "kraft", "load", "last", "fuerza", "pull", "zug"};
   return has_one(words, tensions) || std::any_of(words.begin(), words.end(), is_force_of_tendon) ||
          (names_tendon(words) && has_one(words, forces));
 }
 
 bool says_pressure(const std::vector<std::string>& words) {
-  static const WordSet pressures{"pressure", "pression", "presi\u00f3n"};
+  static const WordSet pressures{"pressure", "pression", "presion"};
   return has_one(words, pressures) || std::any_of(words.begin(), words.end(), [](const std::string& word) {
            return word.ends_with("druck");
          });

@@ -3,40 +3,42 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <plumbline/base/error.hpp>
-#include <set>
-#include <vector>
 
 #include "diagnose/draft/actuator_words.hpp"
+#include "diagnose/draft/unit_words.hpp"
+#include "diagnose/draft/word_table.hpp"
 
 namespace plumbline::diagnose {
 namespace {
 
 using Words = std::vector<std::string>;
 
-std::string lower(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
+/// Letters, digits and scripts without blanks; what is of one sort stands together.
+char sort_of(const std::string& text, std::size_t at) {
+  const auto c = static_cast<unsigned char>(text[at]);
+  if (std::isdigit(c) != 0) return 'd';
+  if (c < 0x80) return std::isalpha(c) != 0 ? 'a' : ' ';
+  // U+3000 and above begin with the bytes E3 and more; what follows in a letter is of its sort.
+  std::size_t first = at;
+  while (first > 0 && (static_cast<unsigned char>(text[first]) & 0xC0U) == 0x80U) --first;
+  return static_cast<unsigned char>(text[first]) >= 0xE3 ? 'h' : 'a';
 }
 
-/// Letters and digits that stand together, in small letters: "tipX_mm" is tip, x, mm; "q12" is q, 12.
+/// In small letters, without accents: "tipX_mm" is tip, x, mm; "q12" is q, 12.
 Words split(const std::string& title) {
   Words words(1);
-  const auto kind_of = [](unsigned char c) {
-    return std::isdigit(c) != 0 ? 'd' : std::isalpha(c) != 0 || c >= 0x80 ? 'a' : ' ';
-  };
   char before = ' ';
   bool small = false;
-  for (const char letter : title) {
-    const auto c = static_cast<unsigned char>(letter);
-    const char kind = kind_of(c);
-    if (kind != before || (small && std::isupper(c) != 0)) words.emplace_back();
-    if (kind != ' ') words.back() += letter;
-    before = kind;
+  for (std::size_t i = 0; i < title.size(); ++i) {
+    const char sort = sort_of(title, i);
+    const auto c = static_cast<unsigned char>(title[i]);
+    if (sort != before || (small && std::isupper(c) != 0)) words.emplace_back();
+    if (sort != ' ') words.back() += title[i];
+    before = sort;
     small = std::islower(c) != 0;
   }
   std::erase(words, "");
-  for (std::string& word : words) word = lower(word);
+  for (std::string& word : words) word = folded(word);
   return words;
 }
 
@@ -58,63 +60,28 @@ std::string last_letters(const std::string& name) {
   return from == 0 ? "" : name.substr(from);
 }
 
-std::string trimmed(std::string text) {
-  text.erase(0, text.find_first_not_of(" \t[(/"));
-  text.erase(text.find_last_not_of(" \t])") + 1);
-  return text;
+bool any(const Words& words, std::initializer_list<const char*> of) {
+  return std::any_of(words.begin(), words.end(), [&](const std::string& word) {
+    return std::find(of.begin(), of.end(), word) != of.end();
+  });
 }
 
-/// As the unit is spelled here, where it is one of the quantity.
-std::string unit_in(std::string text, const Quantity& quantity) {
-  text = trimmed(std::move(text));
-  static const std::array<std::pair<const char*, const char*>, 14> spelled{{{"degrees", "deg"},
-                                                                            {"grad", "deg"},
-                                                                            {"sec", "s"},
-                                                                            {"seconds", "s"},
-                                                                            {"msec", "ms"},
-                                                                            {"newton", "N"},
-                                                                            {"n", "N"},
-                                                                            {"radians", "rad"},
-                                                                            {"pa", "Pa"},
-                                                                            {"kpa", "kPa"},
-                                                                            {"mpa", "MPa"},
-                                                                            {"hpa", "mbar"},
-                                                                            {"psi", "lbf/in^2"},
-                                                                            {"pascal", "Pa"}}};
-  for (const auto& [theirs, ours] : spelled)
-    if (lower(text) == theirs) text = ours;
-  try {
-    return text.empty() ? "" : parse_unit(text, quantity, "").name;
-  } catch (const Error&) {
-    return "";
-  }
+bool is_axis(char letter) {
+  return letter == 'x' || letter == 'y' || letter == 'z';
 }
 
-/// The first of some texts that is a unit of the quantity; or empty.
-std::string unit_among(const Words& said, const Quantity& quantity) {
-  for (const std::string& text : said)
-    if (std::string unit = unit_in(text, quantity); !unit.empty()) return unit;
-  return "";
-}
-
-bool any(const Words& words, const std::set<std::string>& of) {
-  return std::any_of(words.begin(), words.end(), [&](const std::string& word) { return of.contains(word); });
-}
-
-std::string last_axis(const Words& words) {
+/// Of "x", "Fx" or "My", the last one; or a blank.
+char last_axis(const Words& words) {
   for (auto word = words.rbegin(); word != words.rend(); ++word) {
-    if (*word == "x" || *word == "y" || *word == "z") return *word;
-    if (word->size() == 2 && word->front() == 'f' &&
-        std::string("xyz").find(word->back()) != std::string::npos)
-      return word->substr(1);
+    const bool alone = word->size() == 1,
+               behind = word->size() == 2 && (word->front() == 'f' || word->front() == 'm');
+    if ((alone || behind) && is_axis(word->back())) return word->back();
   }
-  return "";
+  return ' ';
 }
 
-/// Whether a unit is one of temperature.
-bool is_temperature(const std::string& unit) {
-  static const std::set<std::string> units{"c", "\u00b0c", "degc", "deg c", "celsius"};
-  return units.contains(lower(trimmed(unit)));
+Kind along(char axis, Kind x, Kind y, Kind z) {
+  return axis == 'x' ? x : axis == 'y' ? y : z;
 }
 
 /// The tension of a tendon or the pressure in an actuator.
@@ -122,42 +89,89 @@ bool is_temperature(const std::string& unit) {
 Kind actuation_in(const Words& words, const Words& said) {
   // volts of a sensor that nobody has calibrated
   for (const std::string& text : said)
-    if (any({lower(trimmed(text))}, {"v", "mv", "volt", "volts"})) return Kind::none;
+    if (any(split(text), {"v", "mv", "volt", "volts"}) && text.size() < 6) return Kind::none;
   if (const Kind kind = actuation_of(words); kind != Kind::none) return kind;
   const Kind kind = actuation_with_unit(words);
   return kind != Kind::none && !unit_among(said, *quantity_of(kind)).empty() ? kind : Kind::none;
 }
 
+/// 'W', 'X', 'Y', 'Z' of a quaternion, 'r', 'p', 'y' of roll, pitch, yaw; or a blank.
+char rotation_axis(const Words& words) {
+  for (const std::string& word : words)
+    if (word == "roll" || word == "pitch" || word == "yaw") return word.front();
+  for (const std::string& word : words)
+    if (word.size() == 2 && word.front() == 'q' && (is_axis(word[1]) || word[1] == 'w'))
+      return static_cast<char>(std::toupper(word[1]));
+  if (!any(words, {"quat", "quaternion", "orientation", "rotation", "rot"})) return ' ';
+  if (any(words, {"w"})) return 'W';
+  const char axis = last_axis(words);
+  return axis == ' ' ? ' ' : static_cast<char>(std::toupper(axis));
+}
+
+/// Where words and unit say different things, the unit is right: "position [deg]" is an angle.
+Kind kind_by_unit(Kind by_words, char axis, const Words& said) {
+  static const std::array kinds{Kind::time,   Kind::x,    Kind::force,   Kind::angle,
+                                Kind::torque, Kind::mass, Kind::pressure};
+  const auto is = [&](Kind kind) { return !unit_among(said, *quantity_of(kind)).empty(); };
+  if (by_words == Kind::none) {
+    for (const std::string& text : said)
+      if (is_current_unit(text)) return Kind::current;
+    const auto found = std::find_if(kinds.begin(), kinds.end(), is);
+    if (found == kinds.end()) return Kind::none;
+    const bool weighs =
+        *found == Kind::force && is(Kind::mass);  // grams are a mass where no word says a force
+    return weighs ? Kind::mass : *found;
+  }
+  const bool place = by_words == Kind::x || by_words == Kind::y || by_words == Kind::z;
+  if (place && is(Kind::angle)) return Kind::angle;
+  if (by_words == Kind::angle && is(Kind::x))
+    return axis == ' ' ? Kind::x : along(axis, Kind::x, Kind::y, Kind::z);
+  if (is_force(by_words) && is(Kind::torque) && !is(Kind::force)) return Kind::torque;
+  return by_words;
+}
+
 /// \param said  what may be a unit
-Kind kind_of(const Words& words, const Words& said) {
-  static const std::set<std::string> times{"t",         "time",  "zeit", "temps",   "tiempo",
-                                           "timestamp", "stamp", "secs", "seconds", "ts"},
-      forces{"f", "fx", "fy", "fz", "force", "kraft", "load", "last", "fuerza", "wrench", "ft"},
-      places{"x", "y", "z"},
-      angles{"q", "joint", "angle", "theta", "winkel", "phi", "gelenk", "encoder", "enc", "jnt", "servo"},
-      runs{"run", "trial", "versuch", "essai", "experiment", "lauf", "rep", "repetition", "cycle"},
-      torques{"torque", "tau", "drehmoment", "moment"},
-      speeds{"v", "vel", "velocity", "dq", "qd", "speed", "acc", "accel", "effort", "current"},
-      temperatures{"temp", "temperature", "temperatur"}, humidities{"humidity", "humid", "feuchte", "rh"};
-  if (any(words, temperatures)) return Kind::temperature;
-  if (any(words, humidities)) return Kind::humidity;
-  if (any(words, torques)) return Kind::torque;
-  if (any(words, speeds)) return Kind::none;
-  const std::string axis = last_axis(words);
-  if (const Kind kind = axis.empty() ? actuation_in(words, said) : Kind::none; kind != Kind::none)
-    return kind;
-  if (any(words, forces))
-    return axis == "x"   ? Kind::force_x
-           : axis == "y" ? Kind::force_y
-           : axis == "z" ? Kind::force_z
-                         : Kind::force;
-  if (any(words, times)) return Kind::time;
-  if (any(words, angles)) return Kind::angle;
-  if (any(words, runs)) return Kind::run;
-  if (any(words, places)) return axis == "x" ? Kind::x : axis == "y" ? Kind::y : Kind::z;
-  static const std::set<std::string> ways{"traverse", "crosshead",    "travel",
-                                          "weg",      "displacement", "extension"};
-  return any(words, ways) ? Kind::x : Kind::none;
+Kind kind_of(const Words& words, const Words& said, char rotation) {
+  const char axis = last_axis(words);
+  if (says(words, Meaning::temperature)) return Kind::temperature;
+  if (says(words, Meaning::humidity)) return Kind::humidity;
+  if (says(words, Meaning::current)) return Kind::current;
+  if (rotation != ' ') return Kind::rotation;
+  if (any(words, {"mx", "my", "mz"}) || (says(words, Meaning::torque) && axis != ' '))
+    return along(axis, Kind::moment_x, Kind::moment_y, Kind::moment_z);
+  if (says(words, Meaning::torque)) return Kind::torque;
+  if (says(words, Meaning::speed)) return Kind::none;
+  if (says(words, Meaning::force_with_axis) && axis == ' ') return Kind::torque;
+  if (const Kind kind = axis == ' ' ? actuation_in(words, said) : Kind::none; kind != Kind::none) return kind;
+  if (says(words, Meaning::force) || says(words, Meaning::force_with_axis))
+    return axis == ' ' ? Kind::force : along(axis, Kind::force_x, Kind::force_y, Kind::force_z);
+  if (says(words, Meaning::mass)) return Kind::mass;
+  if (says(words, Meaning::time)) return Kind::time;
+  if (says(words, Meaning::angle)) return Kind::angle;
+  if (says(words, Meaning::run)) return Kind::run;
+  if (axis != ' ') return along(axis, Kind::x, Kind::y, Kind::z);
+  return says(words, Meaning::place) ? Kind::x : Kind::none;
+}
+
+std::size_t number_in(const Words& words) {
+  std::size_t number = 0;
+  for (const std::string& word : words)
+    if (std::isdigit(static_cast<unsigned char>(word.front())) != 0 && word.size() < 4)
+      number = std::stoul(word);
+  return number;
+}
+
+bool is_of_a_joint(Kind kind) {
+  return kind == Kind::angle || kind == Kind::torque || kind == Kind::current;
+}
+
+/// The joint that a title names; or 0.
+std::size_t named_joint(const std::string& name, const std::vector<std::string>& joints) {
+  std::size_t found = 0, longest = 0;
+  for (std::size_t j = 0; j < joints.size(); ++j)
+    if (joints[j].size() > longest && folded(name).find(folded(joints[j])) != std::string::npos)
+      found = j + 1, longest = joints[j].size();
+  return found;
 }
 
 }  // namespace
@@ -185,6 +199,25 @@ bool is_actuation(Kind kind) {
   return kind == Kind::tension || kind == Kind::pressure;
 }
 
+bool is_missed(const ColumnWords& words) {
+  const Kind kind = words.kind;
+  const bool of_bench = is_force(kind) || is_place(kind) || is_of_a_joint(kind) || is_actuation(kind) ||
+                        kind == Kind::mass || kind == Kind::temperature || kind == Kind::rotation ||
+                        kind == Kind::moment_x || kind == Kind::moment_y || kind == Kind::moment_z;
+  return of_bench && words.treatment == Treatment::none;
+}
+
+const char* name_of(Kind kind) {
+  if (kind == Kind::current) return "a current";
+  if (kind == Kind::temperature) return "a temperature";
+  if (kind == Kind::humidity) return "a humidity";
+  if (kind == Kind::rotation) return "an orientation";
+  if (kind == Kind::run) return "a run";
+  if (kind == Kind::number) return "a number of its line";
+  const Quantity* const quantity = quantity_of(kind);
+  return quantity == nullptr ? "a quantity that its name does not say" : quantity->name;
+}
+
 const Quantity* quantity_of(Kind kind) {
   switch (kind) {
     case Kind::time:
@@ -202,12 +235,22 @@ const Quantity* quantity_of(Kind kind) {
     case Kind::pressure:
       return &quantity::pressure;
     case Kind::angle:
+    case Kind::rotation:
       return &quantity::angle;
+    case Kind::torque:
+    case Kind::moment_x:
+    case Kind::moment_y:
+    case Kind::moment_z:
+      return &quantity::torque;
+    case Kind::mass:
+      return &quantity::mass;
     case Kind::none:
     case Kind::run:
     case Kind::temperature:
     case Kind::humidity:
-    case Kind::torque:
+    case Kind::current:
+    case Kind::number:
+    case Kind::left_out:
       break;
   }
   return nullptr;
@@ -215,35 +258,35 @@ const Quantity* quantity_of(Kind kind) {
 
 ColumnWords words_of(const std::string& title, const std::string& below,
                      const std::vector<std::string>& joints) {
-  static const std::set<std::string> commands{"cmd",      "command", "commanded", "des",  "desired", "set",
-                                              "setpoint", "soll",    "target",    "goal", "ref"};
   ColumnWords result;
   const std::string in_brackets = bracketed(title);
   const std::string name = in_brackets.empty() ? title : title.substr(0, title.find_first_of("[({/"));
   const Words words = split(name);
   const std::string letters = last_letters(name), last = words.size() > 1 ? words.back() : "";
   const Words said{in_brackets, below, letters, last};
-  result.kind =
-      is_temperature(in_brackets) || is_temperature(below) ? Kind::temperature : kind_of(words, said);
-  const auto named = std::find_if(joints.begin(), joints.end(), [&](const std::string& joint) {
-    return !joint.empty() && lower(name).find(lower(joint)) != std::string::npos;
-  });
-  if (named != joints.end() && (result.kind == Kind::none || result.kind == Kind::angle)) {
-    result.kind = Kind::angle;
-    result.joint = static_cast<std::size_t>(named - joints.begin()) + 1;
-  } else if (result.kind == Kind::angle) {
-    for (const std::string& word : words)
-      if (std::isdigit(static_cast<unsigned char>(word.front())) != 0 && word.size() < 4)
-        result.joint = std::stoul(word);
-  }
-  result.commanded = any(words, commands);
+  result.axis = rotation_axis(words);
+  const bool warm = is_temperature_unit(in_brackets) || is_temperature_unit(below);
+  result.kind = warm ? Kind::temperature : kind_of(words, said, result.axis);
+  const std::size_t named = named_joint(name, joints);
+  if (named > 0 && result.kind == Kind::none && !says(words, Meaning::speed)) result.kind = Kind::angle;
+  if (!says(words, Meaning::speed)) result.kind = kind_by_unit(result.kind, last_axis(words), said);
+  result.commanded = says(words, Meaning::command);
+  if (result.kind == Kind::none && !says(words, Meaning::speed))
+    result.kind = result.commanded || says(words, Meaning::reached) ? Kind::angle
+                  : says(words, Meaning::number)                    ? Kind::number
+                                                                    : Kind::none;
+  if (is_of_a_joint(result.kind)) result.joint = named > 0 ? named : number_in(words);
+  result.at_motor = result.kind == Kind::angle && says(words, Meaning::motor);
+  result.treatment = says(words, Meaning::raw)        ? Treatment::raw
+                     : says(words, Meaning::filtered) ? Treatment::filtered
+                                                      : Treatment::none;
   const Quantity* const quantity = quantity_of(result.kind);
   if (quantity == nullptr) return result;
   result.unit = unit_among(said, *quantity);
   if (!is_actuation(result.kind)) return result;
   const bool has_unit = !unit_in(letters, *quantity).empty();
   Words own = split(has_unit ? name.substr(0, name.size() - letters.size()) : name);
-  std::erase_if(own, [](const std::string& word) { return commands.contains(word); });
+  std::erase_if(own, [](const std::string& word) { return says({word}, Meaning::command); });
   result.variable = variable_of(own);
   return result;
 }

@@ -10,67 +10,19 @@
 #include <sstream>
 
 #include "diagnose/bench/read_experiment.hpp"
+#include "diagnose/bench/read_parts.hpp"
+#include "diagnose/draft/bench_choice.hpp"
 #include "diagnose/draft/draft_text.hpp"
+#include "diagnose/draft/drafted_arm.hpp"
+#include "diagnose/draft/drafted_joint.hpp"
+#include "diagnose/draft/given_tables.hpp"
+#include "diagnose/draft/unused_columns.hpp"
 #include "diagnose/screening/conventions.hpp"
 #include "support/files/printable.hpp"
+#include "support/files/toml_file.hpp"
 
 namespace plumbline::diagnose {
 namespace {
-
-/// What tells the runs in one table apart: a column that names them, or, where there is no time, commanded
-/// angles that change.
-std::vector<std::size_t> run_columns(const WrittenTable& table, const DraftModel& model) {
-  std::vector<std::size_t> naming, commands;
-  bool timed = false;
-  for (std::size_t c = 0; c < table.names.size(); ++c) {
-    const ColumnWords words =
-        words_of(table.names[c], c < table.units.size() ? table.units[c] : "", model.joints);
-    const std::string& name = table.names[c];
-    const bool numbered = !name.empty() && std::isdigit(static_cast<unsigned char>(name.back())) != 0;
-    if (words.kind == Kind::run && !numbered) naming.push_back(c);  // "run 1" is a run, and names none
-    if (words.kind == Kind::angle && words.commanded) commands.push_back(c);
-    timed = timed || words.kind == Kind::time;
-  }
-  if (!naming.empty()) return naming;
-  return timed ? std::vector<std::size_t>() : commands;
-}
-
-/// The table cut into one a run; itself where it has one.
-std::vector<DraftFile> cut_into_runs(const DraftFile& file, const DraftModel& model, Guesses& guesses) {
-  const WrittenTable table = written_table(file.text, file.name);
-  if (table.format.transposed) return {file};
-  const std::vector<std::size_t> columns = run_columns(table, model);
-  std::vector<std::string> keys;
-  std::map<std::string, std::vector<std::size_t>> lines;
-  for (const files::CsvRow& row : table.table.rows) {
-    std::string key;
-    for (const std::size_t c : columns) key += (key.empty() ? "" : " ") + row.fields[c];
-    if (!lines.contains(key)) keys.push_back(key);
-    lines[key].push_back(row.line);
-  }
-  if (keys.size() < 2) return {file};
-  constexpr std::size_t most = 1000;
-  if (keys.size() > most)
-    throw Error(file.name, fmt::format("{} runs", keys.size()), fmt::format("at most {}", most));
-  std::vector<std::string> text;
-  std::istringstream in(file.text);
-  for (std::string line; std::getline(in, line);) text.push_back(line);
-  std::string head;
-  for (std::size_t l = 0; l + 1 < table.table.rows.front().line; ++l) head += text[l] + "\n";
-  std::vector<DraftFile> runs;
-  const std::size_t dot = std::min(file.name.find_last_of('.'), file.name.size());
-  for (std::size_t k = 0; k < keys.size(); ++k) {
-    DraftFile& run = runs.emplace_back(
-        DraftFile{fmt::format("{}-{}{}", file.name.substr(0, dot), k + 1, file.name.substr(dot)), head});
-    for (const std::size_t line : lines[keys[k]]) run.text += text[line - 1] + "\n";
-  }
-  std::vector<std::string> titles;
-  for (const std::size_t c : columns) titles.push_back(table.names[c]);
-  guesses.push_back(
-      {"runs in " + file.name, fmt::format("{}", keys.size()),
-       fmt::format("{} has so many values: each is a run, in a file of its own", fmt::join(titles, ", "))});
-  return runs;
-}
 
 /// Readings enough to see what numbers mean.
 void thin(Experiment& experiment) {
@@ -89,23 +41,21 @@ class Drafting {
     experiment_.name = std::move(name);
   }
 
-  void add(const std::vector<DraftFile>& files) {
-    for (const DraftFile& file : files)
-      for (DraftFile& one : cut_into_runs(file, model_, draft_.guesses)) {
-        const auto same = [&](const DraftFile& other) { return other.name == one.name; };
-        if (std::any_of(draft_.tables.begin(), draft_.tables.end(), same))
-          throw Error(files::shown(one.name), "a table of this name already", "a name for each table");
-        draft_.tables.push_back(std::move(one));
-      }
-    for (const RunSource& source : run_sources(draft_.tables, model_.joints, draft_.guesses)) {
-      experiment_.runs.push_back(drafted_run(source, model_, ask_));
-      const Guesses& guesses = experiment_.runs.back().guesses;
-      draft_.guesses.insert(draft_.guesses.end(), guesses.begin(), guesses.end());
-    }
-    experiment_.loads = drafted_loads(experiment_.runs, model_, ask_, draft_.guesses);
+  void add(const std::vector<DraftFile>& files, const std::vector<ToldColumn>& told) {
+    const std::vector<std::string>& joints =
+        model_.joints.empty() && model_.arm ? model_.arm->joint : model_.joints;
+    draft_.tables = tables_of(files, joints, told, ask_, draft_.guesses);
+    const std::vector<RunSource> sources = run_sources(draft_.tables, joints, told, draft_.guesses);
+    draft_.bench = bench_of(model_, sources, joints);
+    std::vector<UsedColumns> used = draft_.bench == BenchKind::arm ? add_arm(sources) : add_runs(sources);
+    account_for_columns(used, joints, ask_, draft_.guesses);
   }
 
   Draft result() {
+    if (draft_.bench == BenchKind::arm) {
+      if (draft_.question.empty()) static_cast<void>(settle());
+      return std::move(draft_);
+    }
     // Each answer may bring the next question to light.
     constexpr int rounds = 6;
     for (int round = 0; round < rounds && settle(); ++round) continue;
@@ -118,10 +68,37 @@ class Drafting {
   }
 
  private:
+  std::vector<UsedColumns> add_arm(const std::vector<RunSource>& sources) {
+    DraftedArm arm = drafted_arm(experiment_.name, sources, model_, ask_);
+    std::vector<UsedColumns> used;
+    for (std::size_t r = 0; r < sources.size(); ++r)
+      used.push_back({sources[r], [columns = arm.used[r]](std::size_t c) {
+                        return std::find(columns.begin(), columns.end(), c) != columns.end();
+                      }});
+    draft_.guesses.insert(draft_.guesses.end(), arm.guesses.begin(), arm.guesses.end());
+    draft_.settings = std::move(arm.settings), draft_.tables = std::move(arm.tables);
+    draft_.question = std::move(arm.question);
+    return used;
+  }
+
+  std::vector<UsedColumns> add_runs(const std::vector<RunSource>& sources) {
+    for (const RunSource& source : sources)
+      experiment_.runs.push_back(draft_.bench == BenchKind::joint ? drafted_joint_run(source, model_, ask_)
+                                                                  : drafted_run(source, model_, ask_));
+    for (const DraftedRun& run : experiment_.runs)
+      draft_.guesses.insert(draft_.guesses.end(), run.guesses.begin(), run.guesses.end());
+    experiment_.loads = drafted_loads(experiment_.runs, model_, ask_, draft_.guesses);
+    std::vector<UsedColumns> used;
+    for (const DraftedRun& run : experiment_.runs)
+      used.push_back({run.source, [&run](std::size_t c) { return run.uses(c); }});
+    return used;
+  }
+
   /// Asks what screening asks. \return whether a guess was changed by it
   bool settle() {
     draft_.question.clear();
-    if (!question_of_loads().empty()) return false;  // nothing can be read before it is answered
+    if (!question_of_loads().empty() || has_question())
+      return false;  // nothing can be read before it is answered
     try {
       Experiment as_drafted = read();
       thin(as_drafted);
@@ -135,26 +112,36 @@ class Drafting {
     return false;
   }
 
+  [[nodiscard]] bool has_question() const {
+    return std::any_of(experiment_.runs.begin(), experiment_.runs.end(),
+                       [](const DraftedRun& run) { return run.alone != Alone::no && !run.question.empty(); });
+  }
   [[nodiscard]] std::string question_of_loads() const {
     return open_question(experiment_.loads, model_.chain.link_length.size());
   }
 
   [[nodiscard]] Experiment read() const {
-    const std::string settings = settings_text(experiment_, model_);
-    return read_experiment("", [&](const std::string& name, const std::string& place) {
-      if (name == "experiment.toml") return settings;
-      for (const DraftFile& table : draft_.tables)
-        if (table.name == name) return table.text;
-      throw Error(place, files::shown(name), "a table that was given");
-    });
+    const std::string place = "experiment.toml", settings = draft_.bench == BenchKind::arm
+                                                                ? draft_.settings
+                                                                : settings_text(experiment_, model_);
+    const ReadParts parts = [&](const Section& run, const SampleFormat& format) {
+      return read_parts(run, format, [&](const std::string& name, const std::string& key) {
+        for (const DraftFile& table : draft_.tables)
+          if (table.name == name) return NamedText{name, table.text};
+        throw Error(key, files::shown(name), "a table that was given");
+      });
+    };
+    return read_experiment(
+        files::parse_toml(settings, place), place, parts, nullptr,
+        [&](const std::string&, const std::string&, const std::string&) { return *model_.arm; });
   }
 
   bool take(const SuspectedConvention& suspected) {
-    const bool forces = suspected.what == "Fx, Fy", places = suspected.what == "x, y";
+    const std::string& what = suspected.what;
+    const bool forces = what == "Fx, Fy" || what == "Fx" || what == "torque",
+               places = what == "x, y" || what == "x" || what == "angle";
     bool taken = false;
-    if (forces || places)
-      taken =
-          take_of_plane(suspected, forces ? draft_Fx : draft_x, forces ? quantity::force : quantity::length);
+    if (forces || places) taken = take_of_end(suspected, forces ? draft_Fx : draft_x);
     if (suspected.what == "q") taken = take_of_angles(suspected);
     if (taken)
       draft_.guesses.push_back(
@@ -168,7 +155,8 @@ class Drafting {
   }
 
   /// A unit, a sign, or the axes swapped.
-  bool take_of_plane(const SuspectedConvention& suspected, std::size_t first, const Quantity& quantity) {
+  bool take_of_end(const SuspectedConvention& suspected, std::size_t first) {
+    const Quantity& quantity = *single_channels(model_.chain.alone)[first].quantity;
     const auto says = [&](const char* words) {
       return suspected.looks_like.find(words) != std::string::npos;
     };
@@ -214,10 +202,10 @@ class Drafting {
 }  // namespace
 
 Draft draft_experiment(const std::string& name, const DraftModel& model, const std::vector<DraftFile>& files,
-                       const Ask& ask) {
+                       const Ask& ask, const std::vector<ToldColumn>& told) {
   if (files.empty()) throw Error("tables", "none", "one or more, a run each");
   Drafting drafting(name, model, ask);
-  drafting.add(files);
+  drafting.add(files, told);
   return drafting.result();
 }
 

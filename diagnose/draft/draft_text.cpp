@@ -10,23 +10,10 @@
 
 #include "diagnose/bench/read_nominal.hpp"
 #include "diagnose/draft/column_numbers.hpp"
+#include "diagnose/draft/quoted.hpp"
 
 namespace plumbline::diagnose {
 namespace {
-
-/// A text in TOML.
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') result += '\\';
-    if (static_cast<unsigned char>(c) < 0x20) {
-      result += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
-    } else {
-      result += c;
-    }
-  }
-  return result + "\"";
-}
 
 std::string list(const std::vector<double>& values) {
   return fmt::format("[{}]", fmt::join(values, ", "));
@@ -104,14 +91,30 @@ std::optional<DraftColumn> time_of(const RunSource& source, const SourcePart& pa
   return {};
 }
 
-/// `q = { column = ["q1", "q2"], unit = "deg" }`
+/// One value for all columns, or a list with one each; nothing where none differs from the usual.
+std::string for_each(const char* key, const std::vector<DraftColumn>& columns, const auto& value,
+                     double usual) {
+  std::vector<double> all;
+  for (const DraftColumn& column : columns) all.push_back(value(column));
+  const auto is = [](double wanted) { return [wanted](double one) { return one == wanted; }; };
+  if (std::all_of(all.begin(), all.end(), is(usual))) return "";
+  if (std::all_of(all.begin(), all.end(), is(all.front())))
+    return fmt::format(", {} = {:.12g}", key, all.front());
+  return fmt::format(", {} = [{:.12g}]", key, fmt::join(all, ", "));
+}
+
+/// `q = { column = ["q1", "q2"], unit = "deg", sign = [1, -1] }`
 std::string angles_line(const char* key, const RunSource& source, const std::vector<DraftColumn>& angles,
                         bool absolute) {
   std::vector<std::string> names;
   for (const DraftColumn& column : angles) names.push_back(reference(source, column.place));
-  std::string text = column_table(angles.front(), fmt::format("[{}]", fmt::join(names, ", ")));
-  if (absolute) text.insert(text.size() - 2, ", absolute = true");
-  return fmt::format("{} = {}\n", key, text);
+  std::string text = fmt::format("{} = {{ column = [{}]", key, fmt::join(names, ", "));
+  if (!angles.front().unit.empty()) text += ", unit = " + quoted(angles.front().unit);
+  text += for_each(
+      "sign", angles, [](const DraftColumn& one) { return static_cast<double>(one.sign); }, 1);
+  text += for_each(
+      "zero", angles, [](const DraftColumn& one) { return one.zero; }, 0);
+  return text + (absolute ? ", absolute = true }\n" : " }\n");
 }
 
 /// \param part  whose columns are written, and with the first the constants; or nullptr for those of all
@@ -124,8 +127,8 @@ std::string columns_lines(const DraftedRun& run, const DraftedExperiment& experi
   for (std::size_t c = 0; c < draft_singles; ++c) {
     const auto column = c == draft_t && later ? time_of(source, *part) : run.singles[c];
     if (column && (column->constant ? !later : is_there(column->place)))
-      text +=
-          fmt::format("{} = {}\n", single_names[c], column_table(*column, reference(source, column->place)));
+      text += fmt::format("{} = {}\n", single_channels(run.alone)[c].name,
+                          column_table(*column, reference(source, column->place)));
   }
   text += covariate_lines(run, experiment, is_there);
   for (const auto& [key, angles] : {std::pair("q", &run.angles), std::pair("q_command", &run.commands)})
@@ -155,7 +158,8 @@ std::string noise_lines(const std::vector<DraftedRun>& runs, bool same_columns) 
   for (const DraftedRun& run : runs) {
     for (std::size_t c = draft_x; c < draft_singles; ++c)
       if (run.singles[c] && run.imposes_force == (c < draft_Fx))
-        add(single_names[c], run, *run.singles[c], c < draft_Fx ? quantity::length : quantity::force);
+        add(single_channels(run.alone)[c].name, run, *run.singles[c],
+            *single_channels(run.alone)[c].quantity);
     for (const DraftColumn& column : run.angles) add("q", run, column, quantity::angle);
   }
   std::string text;
@@ -167,8 +171,10 @@ std::string noise_lines(const std::vector<DraftedRun>& runs, bool same_columns) 
 }
 
 std::string nominal_lines(const NominalChain& chain) {
-  std::string text = "link_length = " + list(chain.link_length) +
-                     "\njoint_stiffness = " + list(chain.joint_stiffness) + "\n";
+  std::string text = chain.alone == Alone::no       ? "link_length = " + list(chain.link_length)
+                     : chain.alone == Alone::slides ? "joint = \"prismatic\""
+                                                    : "joint = \"revolute\"";
+  text += "\njoint_stiffness = " + list(chain.joint_stiffness) + "\n";
   const auto weighs = [](double mass) { return mass > 0; };
   if (std::any_of(chain.link_mass.begin(), chain.link_mass.end(), weighs))
     text += "link_mass = " + list(chain.link_mass) + "\n";
@@ -229,13 +235,18 @@ std::string samples_lines(const DraftedRun& run, const DraftedExperiment& experi
   return fmt::format("samples = [{}{}]\n", fmt::join(all, ", "), is_joined(run) ? ",\n" : "");
 }
 
+const char* control_word(const DraftedRun& run) {
+  if (!run.commands.empty()) return "command";
+  if (run.alone == Alone::turns) return run.imposes_force ? "torque" : "angle";
+  return run.imposes_force ? "force" : "displacement";
+}
+
 /// A run, with its format and columns unless all share them.
 std::string run_lines(const DraftedRun& run, const DraftedExperiment& experiment, bool same_csv,
                       bool same_columns) {
-  std::string text = fmt::format("\n[[run]]\nid = {}\ncontrol = \"{}\"\n", quoted(run.source.id),
-                                 !run.commands.empty() ? "command"
-                                 : run.imposes_force   ? "force"
-                                                       : "displacement");
+  std::string text =
+      fmt::format("\n[[run]]\nid = {}\ncontrol = \"{}\"\n", quoted(run.source.id), control_word(run));
+  if (run.by_weights) text += "loaded_by = \"weights\"\n";
   if (!run.rest.empty()) text += fmt::format("rest = [{:.6g}]\n", fmt::join(run.rest, ", "));
   text += samples_lines(run, experiment);
   if (is_joined(run)) return text;
@@ -261,7 +272,7 @@ std::string settings_text(const DraftedExperiment& experiment, const DraftModel&
       "#:schema experiment.schema.json\n# Drafted by `plumbline new`: what it guessed, it said; correct here "
       "what is wrong.\nformat = \"chain-experiment/1\"\n";
   text += "name = " + quoted(experiment.name) + "\n\n[nominal]\n" + nominal_lines(model.chain);
-  text += "\n[bench]\n" + bench_lines(model);
+  if (model.chain.alone == Alone::no) text += "\n[bench]\n" + bench_lines(model);
   for (const DraftedLoad& load : experiment.loads) text += load_lines(load, model.chain.link_length.size());
   text += "\n[noise]  # how much neighbouring readings scatter\n" + noise_lines(runs, same_columns);
   if (same_csv && !csv.empty()) text += "\n[csv]\n" + csv;

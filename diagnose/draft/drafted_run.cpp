@@ -8,22 +8,18 @@
 #include <numeric>
 #include <plumbline/base/error.hpp>
 
+#include "diagnose/draft/angle_maps.hpp"
 #include "diagnose/draft/column_numbers.hpp"
+#include "diagnose/draft/drafted_rest.hpp"
+#include "diagnose/draft/joint_columns.hpp"
 #include "diagnose/draft/rest_shape.hpp"
+#include "diagnose/draft/unit_words.hpp"
 #include "support/files/printable.hpp"
 
 namespace plumbline::diagnose {
 namespace {
 
 using Values = std::vector<double>;
-
-/// Whether a load is next to nothing at the first reading.
-bool begins_at_nothing(const Values& load) {
-  constexpr double nothing = 0.03;  // of its most
-  double most = 0;
-  for (const double value : finite(load)) most = std::max(most, std::abs(value));
-  return !std::isfinite(load.front()) || std::abs(load.front()) <= nothing * most + 3 * scatter_of(load);
-}
 
 class Drafter {
  public:
@@ -44,10 +40,12 @@ class Drafter {
     find_actuators();
     if (imposes_commands()) {
       impose_commands();
+      map_angles();
     } else {
+      map_angles();
       find_control();
       take_commands();
-      find_rest();
+      find_rest(run_, model_, ask_, columns_of_commands());
     }
     return std::move(run_);
   }
@@ -56,22 +54,14 @@ class Drafter {
   /// \return what is to be taken instead
   std::optional<std::string> say(const std::string& what, const std::string& value, const std::string& reason,
                                  bool doubtful = false) {
-    Guess guess{what + " of " + run_.source.name(), value, reason, doubtful};
-    std::optional<std::string> answer;
-    if (doubtful && ask_) answer = ask_(guess);
-    if (answer) guess = {guess.what, *answer, "as you said", false};
-    run_.guesses.push_back(std::move(guess));
-    return answer;
+    return say_guess(run_, ask_, {what + " of " + run_.source.name(), value, reason, doubtful});
   }
 
-  [[nodiscard]] std::string title(std::size_t column) const {
-    const std::string name = run_.source.title(column);
-    return name.empty() ? fmt::format("column {}", column + 1) : name;
-  }
+  [[nodiscard]] std::string title(std::size_t column) const { return run_.source.shown_title(column); }
 
   void read_words() {
     words_ = run_.source.words(model_.joints);
-    if (!run_.source.parts.front().table.names.empty()) return;
+    if (!run_.source.parts.front().table.names.empty() || !run_.source.told.empty()) return;
     const std::size_t columns = words_.size();
     const std::vector<ColumnWords> standard = words_of_standard(columns, joints_);
     if (standard.empty()) return;
@@ -89,18 +79,19 @@ class Drafter {
     return column_of(kind, false).has_value() || column_of(kind, true).has_value();
   }
 
+  static const char* channel(std::size_t single) { return single_channels(Alone::no)[single].name; }
+
   void take(std::size_t single, Kind kind, const std::string& reason, bool doubtful = false) {
     std::optional<std::size_t> column = column_of(kind, false);
     if (!column) column = column_of(kind, true);
     if (!column) return;
     const std::string said = words_[*column].unit, name = title(*column);
-    const auto answer =
-        say(single_names[single], name + (said.empty() ? "" : ", in " + said), reason, doubtful);
+    const auto answer = say(channel(single), name + (said.empty() ? "" : ", in " + said), reason, doubtful);
     if (answer) {
       for (std::size_t c = 0; c < words_.size(); ++c)
         if (run_.source.title(c) == *answer) column = c;
     }
-    run_.singles[single] = DraftColumn{*column, words_[*column].unit};
+    run_.singles[single] = DraftColumn{*column, words_[*column].unit, words_[*column].sign};
     kinds_[single] = kind;
   }
 
@@ -115,25 +106,29 @@ class Drafter {
          has(Kind::force_x) ? by_word : "the only force: taken for the one along x", !has(Kind::force_x));
     take(draft_Fy, force_upright ? Kind::force_z : Kind::force_y, force_upright ? "z is up" : by_word,
          force_upright);
+    take_weight();
   }
 
-  /// One for each joint: by number or name, or as many as there are joints, in their order.
+  /// A mass that hangs at the end point.
+  void take_weight() {
+    const auto mass = column_of(Kind::mass, false);
+    if (!mass || run_.singles[draft_Fx] || run_.singles[draft_Fy]) return;
+    const std::string unit = unit_in(words_[*mass].unit.empty() ? "kg" : words_[*mass].unit, quantity::force);
+    say("Fy", fmt::format("{}, in {}", title(*mass), unit), "a weight, taken to pull down at the end point",
+        true);
+    run_.singles[draft_Fy] = DraftColumn{*mass, unit, -1};
+    run_.by_weights = true;
+    kinds_[draft_Fy] = Kind::mass;
+  }
+
   [[nodiscard]] std::vector<std::size_t> angle_columns(bool commanded) const {
-    std::vector<std::size_t> numbered(joints_, words_.size()), all;
-    for (std::size_t c = 0; c < words_.size(); ++c) {
-      if (words_[c].kind != Kind::angle || words_[c].commanded != commanded) continue;
-      all.push_back(c);
-      if (words_[c].joint > 0 && words_[c].joint <= joints_) numbered[words_[c].joint - 1] = c;
-    }
-    const bool each = std::find(numbered.begin(), numbered.end(), words_.size()) == numbered.end();
-    if (each) return numbered;
-    return all.size() == joints_ ? all : std::vector<std::size_t>();
+    return joint_columns(words_, Kind::angle, commanded, joints_);
   }
 
   void find_angles() {
     std::vector<std::string> names;
     for (const std::size_t c : angle_columns(false)) {
-      run_.angles.push_back({c, words_[c].unit});
+      run_.angles.push_back({c, words_[c].unit, words_[c].sign});
       names.push_back(title(c));
     }
     if (!names.empty()) say("q", fmt::format("{}", fmt::join(names, ", ")), "one for each joint");
@@ -239,33 +234,69 @@ class Drafter {
     column->zero = zero;
   }
 
+  /// The unit of reached angles, or of commanded ones.
+  [[nodiscard]] std::string angle_unit() const {
+    for (const bool commanded : {false, true})
+      for (const std::size_t c : angle_columns(commanded))
+        if (!words_[c].unit.empty()) return words_[c].unit;
+    return unit_of_angles_;
+  }
+
   void find_angle_unit() {
-    if (run_.angles.empty() || !run_.angles.front().unit.empty()) return;
-    double most = 0;
-    for (const DraftColumn& column : run_.angles)
-      for (const double value : finite(raw(column))) most = std::max(most, std::abs(value));
-    constexpr double once_around = 6.4;
-    if (most <= once_around) return;
-    for (DraftColumn& column : run_.angles) column.unit = "deg";
-    say("unit of q", "deg", fmt::format("angles up to {:.4g} are more than once around in rad", most));
+    std::vector<std::size_t> columns = angle_columns(false);
+    const std::vector<std::size_t> commands = angle_columns(true);
+    columns.insert(columns.end(), commands.begin(), commands.end());
+    if (columns.empty()) return;
+    if (angle_unit().empty()) {
+      double most = 0;
+      for (const std::size_t c : columns)
+        for (const double value : finite(run_.source.numbers(c))) most = std::max(most, std::abs(value));
+      constexpr double once_around = 6.4;
+      if (most > once_around) {
+        unit_of_angles_ = "deg";
+        say("unit of q", "deg", fmt::format("angles up to {:.4g} are more than once around in rad", most));
+      }
+    }
+    for (DraftColumn& column : run_.angles)
+      if (column.unit.empty()) column.unit = angle_unit();
+  }
+
+  /// A simulator's joints may turn the other way than the chain's, and stand elsewhere at 0.
+  void map_angles() {
+    if (model_.angles.empty() || (run_.angles.empty() && run_.commands.empty())) return;
+    if (!reads_joints_of_model(run_, model_)) return;
+    take_angle_maps(model_, run_.angles);
+    take_angle_maps(model_, run_.commands);
+    say("signs and zeros of q", "those of the model's joints",
+        "the chain counts its angles from a straight line, the model's joints count from where it draws "
+        "them");
   }
 
   [[nodiscard]] Values raw(const DraftColumn& column) const { return run_.source.numbers(column.place); }
 
-  /// Commands to every joint along a time are a motion; without a time they are a pose each.
+  /// Commands to every joint are a motion, or a pose a line; commands that stand still beside a force are a
+  /// rest.
   [[nodiscard]] bool imposes_commands() const {
-    return run_.singles[draft_t] && !run_.angles.empty() && !angle_columns(true).empty();
+    const auto& s = run_.singles;
+    const bool read = !run_.angles.empty() || s[draft_x] || s[draft_y],
+               pressed = (s[draft_Fx] || s[draft_Fy]) && (s[draft_x] || s[draft_y]);
+    return read && !angle_columns(true).empty() && (!pressed || (s[draft_t] && !run_.angles.empty()));
+  }
+
+  [[nodiscard]] std::vector<DraftColumn> columns_of_commands() const {
+    std::vector<DraftColumn> all;
+    for (const std::size_t c : angle_columns(true))
+      all.push_back({c, words_[c].unit.empty() ? angle_unit() : words_[c].unit, words_[c].sign});
+    return all;
   }
 
   void impose_commands() {
+    run_.commands = columns_of_commands();
     std::vector<std::string> names;
-    for (const std::size_t c : angle_columns(true)) {
-      run_.commands.push_back({c, words_[c].unit.empty() ? run_.angles.front().unit : words_[c].unit});
-      names.push_back(title(c));
-    }
+    for (const DraftColumn& column : run_.commands) names.push_back(title(column.place));
     run_.imposes_force = true;
     say("control", "command",
-        fmt::format("{}: a command to every joint, along the time", fmt::join(names, ", ")));
+        fmt::format("{}: a command to every joint, in the order of the lines", fmt::join(names, ", ")));
   }
 
   /// What is imposed goes in even steps; what is measured scatters.
@@ -285,21 +316,13 @@ class Drafter {
         if (s[c]) most = std::max(most, roughness(raw(*s[c])));
       return most;
     };
-    const double of_place = rough(draft_x, draft_y), of_force = rough(draft_Fx, draft_Fy);
+    EvenSteps steps = even_steps(rough(draft_x, draft_y), rough(draft_Fx, draft_Fy), "places", "forces");
     const bool commanded_force = column_of(kinds_[draft_Fx], true).has_value(),
                commanded_place = column_of(kinds_[draft_x], true).has_value();
-    run_.imposes_force = commanded_force != commanded_place ? commanded_force : of_force < of_place;
-    constexpr double clearly = 2;
-    const bool sure = commanded_force != commanded_place ||
-                      std::max(of_place, of_force) > clearly * std::min(of_place, of_force);
-    const std::string reason =
-        commanded_force != commanded_place
-            ? "a column has the commands"
-            : fmt::format(
-                  "from reading to reading the {} go more evenly than the {} ({:.2g} % against {:.2g} % of "
-                  "their range)",
-                  run_.imposes_force ? "forces" : "places", run_.imposes_force ? "places" : "forces",
-                  100 * std::min(of_place, of_force), 100 * std::max(of_place, of_force));
+    if (commanded_force != commanded_place) steps = {commanded_force, true, "a column has the commands"};
+    if (run_.by_weights) steps = {true, true, "weights are put"};
+    run_.imposes_force = steps.load;
+    const auto& [load, sure, reason] = steps;
     const auto answer = say("control", run_.imposes_force ? "force" : "displacement", reason, !sure);
     if (answer) run_.imposes_force = *answer == "force";
     run_.imposes_force ? impose_force() : impose_place("");
@@ -330,7 +353,7 @@ class Drafter {
       if (!run_.singles[c]) {
         const double value = rest[c == draft_x ? 0 : 1];
         run_.singles[c] = DraftColumn{0, "", 1, 0, value};
-        say(single_names[c], fmt::format("{:.6g} m throughout", value),
+        say(channel(c), fmt::format("{:.6g} m throughout", value),
             "no column has it: held where the model rests", true);
       }
   }
@@ -342,82 +365,8 @@ class Drafter {
       const auto column = kinds_[c] == Kind::none ? std::nullopt : column_of(kinds_[c], true);
       if (!column || !run_.singles[c] || run_.singles[c]->constant) continue;
       run_.singles[c]->place = *column;
-      say(single_names[c], title(*column), "of what is imposed the command counts");
+      say(channel(c), title(*column), "of what is imposed the command counts");
     }
-  }
-
-  [[nodiscard]] bool begins_unloaded() const {
-    std::vector<DraftColumn> loads;
-    for (const std::size_t c : {draft_Fx, draft_Fy})
-      if (const auto& column = run_.singles[c]; column && !column->constant) loads.push_back(*column);
-    if (run_.moved_by_actuators)
-      for (const DraftedActuator& one : run_.actuators) loads.push_back(one.column);
-    return std::all_of(loads.begin(), loads.end(),
-                       [&](const DraftColumn& load) { return begins_at_nothing(raw(load)); });
-  }
-
-  /// The unloaded shape: commanded angles, the model's, or that of a first reading without load.
-  void find_rest() {
-    if (const std::vector<std::size_t> commands = angle_columns(true); !commands.empty()) {
-      for (const std::size_t c : commands) {
-        const DraftColumn column{
-            c, words_[c].unit.empty() && !run_.angles.empty() ? run_.angles.front().unit : words_[c].unit};
-        run_.rest.push_back(run_.values(column, quantity::angle).front());
-      }
-      say("rest", fmt::format("{:.4g}", fmt::join(run_.rest, ", ")), "the commanded angles");
-      return;
-    }
-    const Values& own = model_.chain.rest;
-    constexpr double near = 0.02;
-    if (!run_.angles.empty()) {
-      Values first;
-      double away = 0;
-      for (std::size_t j = 0; j < joints_; ++j) {
-        first.push_back(run_.values(run_.angles[j], quantity::angle).front());
-        away = std::max(away, std::abs(first[j] - (j < own.size() ? own[j] : 0)));
-      }
-      if (!own.empty() && away < near) return;
-      if (begins_unloaded())
-        return set_rest(first, "the first reading, which is without load", own.empty() ? NAN : away);
-      if (!own.empty() && run_.moved_by_actuators) {
-        say("rest", "the model's", "the first reading is under load");
-        return;
-      }
-    }
-    const Values xs = run_.values(draft_x), ys = run_.values(draft_y);
-    if (xs.empty() || ys.empty() || !std::isfinite(xs.front()) || !std::isfinite(ys.front()))
-      return ask_rest("nothing in the table says it");
-    const std::array<double, 2> end = end_point(model_.chain, own);
-    const double gap = std::hypot(xs.front() - end[0], ys.front() - end[1]);
-    if (!own.empty() && (gap < near * reach_ || !begins_unloaded())) return;
-    const Values middle = own.empty() ? Values(joints_, 0.0) : own;
-    if (const auto shape = reaching(model_.chain, middle, {xs.front(), ys.front()}))
-      return set_rest(*shape, "the shape that has the end point where the first reading has it",
-                      gap / reach_);
-    ask_rest(fmt::format(
-        "the model's puts the end point {:.3g} m from the first reading, which is without load", gap));
-  }
-
-  void set_rest(const Values& rest, const std::string& reason, double away) {
-    constexpr double large = 0.3;
-    run_.rest = rest;
-    const auto answer =
-        say("rest", fmt::format("{:.4g} rad", fmt::join(rest, ", ")), reason, !(away < large));
-    if (answer) take_rest(*answer);
-  }
-  void ask_rest(const std::string& reason) {
-    const auto answer = say("rest", model_.chain.rest.empty() ? "not known" : "the model's", reason, true);
-    if (answer) return take_rest(*answer);
-    run_.question = fmt::format(
-        "rest of {}: found {}, expected rest = [...], the {} unloaded joint angles, in its [[run]]",
-        run_.source.name(), reason, joints_);
-  }
-  void take_rest(const std::string& answer) {
-    const auto values = numbers_in(answer);
-    if (!values || values->size() != joints_)
-      throw Error("rest of " + run_.source.name(), files::shown(answer),
-                  fmt::format("{} angles in rad", joints_));
-    run_.rest = *values;
   }
 
   const DraftModel& model_;
@@ -427,24 +376,10 @@ class Drafter {
   DraftedRun run_;
   std::vector<ColumnWords> words_;
   std::array<Kind, draft_singles> kinds_{};
+  std::string unit_of_angles_;
 };
 
 }  // namespace
-
-std::vector<double> DraftedRun::values(const DraftColumn& column, const Quantity& quantity) const {
-  if (column.constant) return Values(source.readings(), *column.constant);
-  const double unit = column.unit.empty() ? 1 : parse_unit(column.unit, quantity, "").in_si();
-  Values all = source.numbers(column.place);
-  for (double& value : all) value = column.sign * (value - column.zero) * unit;
-  return all;
-}
-
-std::vector<double> DraftedRun::values(std::size_t single) const {
-  if (!singles[single]) return {};
-  return values(*singles[single], single == draft_t                        ? quantity::time
-                                  : single == draft_x || single == draft_y ? quantity::length
-                                                                           : quantity::force);
-}
 
 DraftedRun drafted_run(const RunSource& source, const DraftModel& model, const Ask& ask) {
   return Drafter(source, model, ask).result();

@@ -23,9 +23,14 @@ struct DraftColumn {
   std::optional<double> constant = {};  ///< instead of a column
 };
 
-/// The channels t, x, y, Fx, Fy.
+/// The channels t, x, y, Fx, Fy; of a joint alone x and Fx stand for what they are there.
 enum : std::size_t { draft_t, draft_x, draft_y, draft_Fx, draft_Fy, draft_singles };
-inline constexpr std::array<const char*, draft_singles> single_names{"t", "x", "y", "Fx", "Fy"};
+
+struct SingleChannel {
+  const char* name;  ///< empty where the bench has none
+  const Quantity* quantity;
+};
+const std::array<SingleChannel, draft_singles>& single_channels(Alone alone);
 
 /// A column of a tendon's tension or of an actuator's pressure.
 struct DraftedActuator {
@@ -43,14 +48,33 @@ struct DraftedRun {
   bool moved_by_actuators = false;                ///< by them alone: nothing else drives the run
   std::vector<DraftColumn> commands;              ///< of all joints, where the run imposes them; or none
   bool imposes_force = false;
-  std::vector<double> rest;  ///< rad; empty where the model's serves
+  bool by_weights = false;  ///< the imposed load
+  Alone alone = Alone::no;
+  std::vector<std::size_t> further = {};  ///< columns that are used otherwise
+  std::vector<double> rest;               ///< rad; empty where the model's serves
   Guesses guesses;
   std::string question;  ///< what a person has to say, in a line; or empty
 
   /// A channel in SI.
   [[nodiscard]] std::vector<double> values(const DraftColumn& column, const Quantity& quantity) const;
   [[nodiscard]] std::vector<double> values(std::size_t single) const;
+  /// Whether a column has become one of the experiment's.
+  [[nodiscard]] bool uses(std::size_t column) const;
 };
+
+/// A doubtful guess is asked, and an answer takes its place.
+/// \returns the answer
+std::optional<std::string> say_guess(DraftedRun& run, const Ask& ask, Guess guess);
+
+/// What is imposed goes in even steps; what is measured scatters.
+struct EvenSteps {
+  bool load;  ///< whether the load is imposed
+  bool sure;
+  std::string reason;
+};
+/// \param roughness_of_place, roughness_of_load  as roughness() has them
+EvenSteps even_steps(double roughness_of_place, double roughness_of_load, const char* places,
+                     const char* loads);
 
 /// Identifies columns by their titles; units, zeros, the imposed quantity and the rest by their numbers.
 /// \throws Error where no column of a place, a force or an angle can be told

@@ -20,13 +20,13 @@ bool any(const std::vector<ColumnWords>& words, bool (*is)(Kind)) {
 
 /// Columns of one meaning, in their order.
 std::vector<std::vector<std::size_t>> alike(const std::vector<ColumnWords>& words) {
-  std::map<std::tuple<Kind, std::size_t, bool>, std::vector<std::size_t>> by_meaning;
+  std::map<std::tuple<Kind, std::size_t, bool, bool>, std::vector<std::size_t>> by_meaning;
   for (std::size_t c = 0; c < words.size(); ++c) {
     const bool unnumbered =
         words[c].kind == Kind::angle && words[c].joint == 0;  // in the order of the joints
     const bool counts = words[c].kind == Kind::time || is_force(words[c].kind) || is_place(words[c].kind);
     if (!counts || unnumbered) continue;
-    by_meaning[{words[c].kind, words[c].joint, words[c].commanded}].push_back(c);
+    by_meaning[{words[c].kind, words[c].joint, words[c].commanded, words[c].at_motor}].push_back(c);
   }
   std::vector<std::vector<std::size_t>> all;
   for (auto& [meaning, columns] : by_meaning) all.push_back(std::move(columns));
@@ -77,7 +77,8 @@ Blocks numbered(const RunSource& whole, const std::vector<ColumnWords>& words) {
   std::map<std::string, Blocks> by_stem;
   for (std::size_t c = 0; c < words.size(); ++c) {
     const std::string title = whole.title(c), name = stem(title);
-    const bool unsaid = words[c].kind == Kind::none || words[c].kind == Kind::run;
+    const bool unsaid =
+        words[c].kind == Kind::none || words[c].kind == Kind::run || words[c].kind == Kind::number;
     if (unsaid && !name.empty() && name.size() < title.size()) by_stem[name].push_back({c});
   }
   Blocks best;
@@ -102,7 +103,7 @@ std::vector<RunSource> apart(const RunSource& whole, const Blocks& blocks, Kind 
     for (std::size_t other = 0; other < blocks.size(); ++other)
       if (other != run)
         runs[run].others.insert(runs[run].others.end(), blocks[other].begin(), blocks[other].end());
-    if (told != Kind::none) runs[run].told[blocks[run].front()] = told;
+    if (told != Kind::none) runs[run].told[blocks[run].front()] = ColumnWords{told};
   }
   return runs;
 }

@@ -196,12 +196,12 @@ PlanarChain planar_chain(const ReadModel& model, const std::string& source,
                   "a serial chain of links with a length");
     const double direction = std::atan2(link.y(), link.x());
     const double sense = joint.axis.dot(plane.normal()) > 0 ? 1 : -1;
-    result.joints.push_back({series.order()[j], sense});
     chain.link_length.push_back(rounded(link.norm(), 0));
     chain.joint_stiffness.push_back(rounded(joint.stiffness, 0));
     chain.link_mass.push_back(joint.mass > no_mass ? rounded(joint.mass, 0) : 0);
     const double turned = std::remainder(direction - before, 2 * std::numbers::pi);
     chain.rest.push_back(rounded(turned + sense * joint.rest, 1));
+    result.joints.push_back({series.order()[j], sense, rounded(turned, 1)});
     before = direction;
     const Eigen::Vector2d middle = plane.of(joint.middle - joint.anchor) - link / 2;
     if (joint.mass > no_mass) moved = std::max(moved, middle.norm() / link.norm());

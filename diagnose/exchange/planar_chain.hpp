@@ -29,6 +29,7 @@ struct Plane {
 struct TakenJoint {
   std::size_t number;  ///< among those of the model
   double sense;        ///< -1 where it turns the other way
+  double straight;     ///< the chain's angle where that of the model is 0, rad
 };
 
 struct PlanarChain {

@@ -110,9 +110,11 @@ Json parameters(const Json& effects, const Diagnosis& diagnosis) {
       row["name"] = one.name;
       row["unit"] = one.unit;
       row["no_bounds"] = !(one.low < one.high);
+      row["last"] = false;
       rows.push_back(row);
     }
   }
+  if (!rows.empty()) rows.back()["last"] = true;
   return rows;
 }
 
@@ -210,6 +212,7 @@ void add_where(Json& view, const Json& report, const Explained& explained) {
   const Where& where = explained.diagnosis.where;
   for (const char* list : {"channels", "runs", "load_path", "joints"})
     add_bars(view["where"][list], report["where"][list], "share");
+  view["where"]["has_path"] = !where.load_path.empty();
   view["joint_evidence"] = joint_evidence_words(where.joint_evidence);
   view["most"] = {
       {"channel", where.channels.front().channel.label()}, {"run", where.runs.front().run}, {"joint", false}};
@@ -255,10 +258,12 @@ std::string as_html(const Study& study, const Diagnosis& diagnosis) {
   add_where(view, report, explained);
   add_cause(view, report, explained);
   if (diagnosis.shrink) {
+    if (!view["shrink"].contains("outliers")) view["shrink"]["outliers"] = false;
     view["shrink"]["by_channel"] = shrink_channels(*diagnosis.shrink, view["shrink"]);
     view["shrink"]["model"] = tested_model(diagnosis);
     view["shrink"]["heldout_names"] = joined(diagnosis.shrink->heldout, ", ", ", ");
   }
+  view["planar"] = explained.experiment.alone == Alone::no && !explained.experiment.arm;
   view["torque_unit"] = std::string(diagnosis.cause.torque_unit);
   view["proposals"] = {{"any", !diagnosis.proposals.empty()}};
   add_charts(view, explained);

@@ -1,6 +1,7 @@
 #include <array>
 
-#include "diagnose/draft/draft.hpp"
+#include "diagnose/draft/read_draft_model.hpp"
+#include "diagnose/draft/told_columns.hpp"
 #include "diagnose/exchange/read_model.hpp"
 #include "python/engine/engine.hpp"
 
@@ -77,14 +78,13 @@ py::dict arm_of(const std::string& file, const std::string& base, const std::str
 }
 
 py::dict draft_of(const std::string& name, const std::string& file, const std::vector<std::string>& joints,
-                  const Texts& tables) {
+                  const Texts& tables, const std::string& columns, const std::string& base,
+                  const std::string& tip) {
   const auto draft = unlocked([&] {
-    const exchange::PlanarChain read = exchange::read_model(file, joints);
-    const Eigen::Vector2d base = read.plane.of(read.plane.origin);
     std::vector<diagnose::DraftFile> given;
     for (const auto& [title, text] : tables) given.push_back({title, text});
-    return diagnose::draft_experiment(name, {read.chain, read.names, {base.x(), base.y()}, read.weighs},
-                                      given);
+    return diagnose::draft_experiment(name, diagnose::read_draft_model(file, joints, {base, tip}).model,
+                                      given, {}, diagnose::told_columns(columns));
   });
   py::list guesses;
   for (const diagnose::Guess& one : draft.guesses)
@@ -103,7 +103,7 @@ void add_models(py::module_& module) {
   using namespace py::literals;
   module.def("chain", &chain_of, "file"_a, "joints"_a);
   module.def("arm", &arm_of, "file"_a, "base"_a, "tip"_a);
-  module.def("draft", &draft_of, "name"_a, "model"_a, "joints"_a, "tables"_a);
+  module.def("draft", &draft_of, "name"_a, "model"_a, "joints"_a, "tables"_a, "columns"_a, "base"_a, "tip"_a);
 }
 
 }  // namespace plumbline::python

@@ -1,12 +1,15 @@
 """Chains out of simulators' models, and experiments drafted out of them and tables of readings."""
 from __future__ import annotations
 
+import json
 import os
 import pathlib
 import tempfile
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple, Union
+
+import numpy as np
 
 from plumbline import _engine
 from plumbline._engine import Error
@@ -39,8 +42,15 @@ class NominalChain:
 class ModelFile:
     """A model as a file, which is there as long as this is."""
 
-    def __init__(self, model: Model | None) -> None:
+    def __init__(self, model: Model | Mapping[str, Any] | None) -> None:
         self._folder: tempfile.TemporaryDirectory[str] | None = None
+        if isinstance(model, Mapping):
+            self._folder = tempfile.TemporaryDirectory()
+            nominal = pathlib.Path(self._folder.name, "model.toml")
+            lines = [f"{key} = {_toml(value)}" for key, value in model.items()]
+            nominal.write_text("\n".join(["[nominal]", *lines, ""]), encoding="utf-8")
+            self.path = str(nominal)
+            return
         if not hasattr(model, "to_xml"):
             if not isinstance(model, (str, os.PathLike, type(None))):
                 raise Error(f"model: found {type(model).__name__}, expected a file (MJCF, URDF, SDF) or a mujoco.MjSpec")
@@ -51,6 +61,11 @@ class ModelFile:
         file = pathlib.Path(self._folder.name, "model.xml")
         file.write_text(model.to_xml(), encoding="utf-8")
         self.path = str(file)
+
+
+def _toml(value: Any) -> str:
+    """A string, a number or a list of numbers."""
+    return json.dumps(value) if isinstance(value, str) else repr(np.asarray(value, dtype=float).tolist())
 
 
 def read_chain(model: Model, joints: Sequence[str] = ()) -> NominalChain:
@@ -113,25 +128,28 @@ class Draft:
         return place
 
 
-def draft(model: Model, tables: Mapping[str, Any] | Sequence[PathLike], *, name: str = "experiment",
-          joints: Sequence[str] = (), sheet: str | None = None) -> Draft:
+def draft(model: Model | Mapping[str, Any], tables: Mapping[str, Any] | Sequence[PathLike], *, name: str = "experiment",
+          joints: Sequence[str] = (), sheet: str | None = None, columns: str = "", base: str = "", tip: str = "") -> Draft:
     """Guesses an experiment out of tables as labs have them, as `plumbline new` does: delimiter, header, columns, units,
     signs, runs; every guess comes with its reason.
 
+    :param model: a file, or the table [nominal] as a mapping: of a chain, or of a joint alone
+    :param columns: what columns hold, as `plumbline new --columns` has it: "x=Traverse:mm,ignore=humidity"
+    :param base, tip: the bodies at the ends of an arm in space, where its model has several
     :param tables: files, workbooks (.xlsx) among them, or DataFrames by a name each
     :param sheet: of the workbooks, where they have several
     :raises Error: where a table cannot be read at all, or no column of it can be told
     """
     if isinstance(tables, Mapping):
-        texts = [(title if "." in title else f"{title}.csv", table.to_csv(index=False)) for title, table in tables.items()]
+        texts: list[tuple[str, str | bytes]] = [(title if "." in title else f"{title}.csv", table.to_csv(index=False)) for title, table in tables.items()]
     else:
         texts = [_named_text(pathlib.Path(table), sheet) for table in tables]
     file = ModelFile(model)
-    found = _engine.draft(name, file.path, list(joints), texts)
+    found = _engine.draft(name, file.path, list(joints), texts, columns, base, tip)
     return Draft(found["settings"], found["tables"], [Guess(*guess) for guess in found["guesses"]], found["question"])
 
 
-def _named_text(table: pathlib.Path, sheet: str | None) -> tuple[str, str]:
-    if is_workbook(table):
+def _named_text(table: pathlib.Path, sheet: str | None) -> tuple[str, str | bytes]:
+    if sheet is not None and is_workbook(table):
         return f"{table.stem}.csv", sheet_as_csv(table, sheet)
-    return table.name, table.read_text(encoding="utf-8-sig")
+    return table.name, table.read_bytes()

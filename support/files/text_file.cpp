@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "support/files/printable.hpp"
+#include "support/files/read_bytes.hpp"
 
 namespace plumbline::files {
 namespace {
@@ -61,13 +62,9 @@ const std::string& kept(int file, const std::string& name) {
 
 }  // namespace
 
-std::string read_text(const std::filesystem::path& path) {
+std::string read_bytes(const std::filesystem::path& path) {
   const std::string name = source_name(path);
-  if (is_standard_input(path)) {
-    const std::string& text = kept(STDIN_FILENO, name);
-    require_text(text, name);
-    return text;
-  }
+  if (is_standard_input(path)) return kept(STDIN_FILENO, name);
   const Descriptor file(open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));  // no waiting for a writer
   struct stat found = {};
   if (file.number() < 0 || fstat(file.number(), &found) != 0)
@@ -75,8 +72,12 @@ std::string read_text(const std::filesystem::path& path) {
   if (S_ISDIR(found.st_mode)) throw Error(name, "a directory", "a file");
   if (!S_ISREG(found.st_mode) && !S_ISFIFO(found.st_mode)) throw Error(name, "a device", "a file");
   fcntl(file.number(), F_SETFL, 0);
-  std::string text = S_ISFIFO(found.st_mode) ? kept(file.number(), name) : all_of(file.number(), name);
-  require_text(text, name);
+  return S_ISFIFO(found.st_mode) ? kept(file.number(), name) : all_of(file.number(), name);
+}
+
+std::string read_text(const std::filesystem::path& path) {
+  std::string text = read_bytes(path);
+  require_text(text, source_name(path));
   return text;
 }
 

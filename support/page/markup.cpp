@@ -30,7 +30,8 @@ std::string typeset(const std::string& number) {
 std::string percent(double share) {
   const double hundredth = 100 * share;
   if (hundredth > 0 && hundredth < 0.01) return "< 0.01 %";
-  return typeset(hundredth >= 99.95 ? fmt::format("{:.0f}", hundredth) : fmt::format("{:.3g}", hundredth)) +
+  if (hundredth >= 99.95 && hundredth <= 100) return "> 99.9 %";
+  return typeset(hundredth > 100 ? fmt::format("{:.0f}", hundredth) : fmt::format("{:.3g}", hundredth)) +
          " %";
 }
 

@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 #include <ctime>
+#include <sstream>
 
 #include "support/page/markup.hpp"
 
@@ -20,6 +21,18 @@ std::string words_for_inputs(const Provenance& from) {
 std::string brief(const std::string& command) {
   constexpr std::size_t most = 400;
   return command.size() <= most ? command : command.substr(0, command.rfind(' ', most)) + " …";
+}
+
+/// Files by their names: a page that is handed on tells nobody whose folders they were in.
+std::string without_folders(const std::string& command) {
+  std::string result, word;
+  std::istringstream in(command);
+  while (in >> word) {
+    const std::size_t last = word.find_last_not_of('/'), slash = word.rfind('/', last);
+    if (slash != std::string::npos && last != std::string::npos) word = word.substr(slash + 1, last - slash);
+    result += (result.empty() ? "" : " ") + word;
+  }
+  return result;
 }
 
 /// As reproducible builds have it: https://reproducible-builds.org/specs/source-date-epoch/
@@ -40,10 +53,13 @@ std::string json_text(nlohmann::ordered_json object, const Provenance& provenanc
 }
 
 std::string on_page(std::string html, const Provenance& provenance) {
-  const std::string line = fmt::format(
-      "<p class=\"quiet provenance\">Made on {} by {}: <code>{}</code>{}.</p>\n", date(),
-      escaped(provenance.program), escaped(brief(provenance.command)), words_for_inputs(provenance));
-  return html.insert(html.rfind("</body>"), line);
+  const std::string line =
+      fmt::format("<p class=\"quiet provenance\">Made on {} by {}: <code>{}</code>{}.</p>\n", date(),
+                  escaped(provenance.program), escaped(brief(without_folders(provenance.command))),
+                  words_for_inputs(provenance));
+  const std::size_t footer = html.rfind("</footer>");
+  if (footer != std::string::npos) return html.insert(footer, line);
+  return html.insert(html.rfind("</body>"), "<footer>\n" + line + "</footer>\n");
 }
 
 std::string in_drawing(std::string svg, const Provenance& provenance) {

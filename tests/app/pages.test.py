@@ -87,6 +87,8 @@ def shown_as(text, value):
     percent = text.endswith(" %")
     unit = 0.01 if percent else 1
     text = text.removesuffix(" %")
+    if text.startswith("> "):
+        return float(text[2:]) * unit <= value <= 1
     match = re.fullmatch(r"(< )?(?:(-?\d+(?:\.(\d+))?)(?: × )?)?(?:10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+))?", text)
     if not match:
         return False

@@ -168,19 +168,18 @@ TEST_CASE("runs in one table are cut apart by the column that names them") {
   CHECK(says(draft, "runs in all.csv", "2"));
 }
 
-TEST_CASE("an arm that is held by its servos: each command a run, whose rest it is") {
+TEST_CASE("an arm that is held by its servos: a run of commands, a line each") {
   DraftModel model{
       {{0.3, 0.2}, {50, 40}, {0.3, 0.2}, {0, -9.81}, {0, 0}, {}}, {"shoulder", "elbow"}, {0, 0}, true};
   const Draft draft = draft_experiment(
       "poses", model,
       {{"poses.csv",
         "shoulder_cmd,elbow_cmd,shoulder,elbow\n30,40,28.9,39.6\n50,10,48.8,9.6\n70,-20,68.9,-20.1\n"}});
-  CHECK(draft.tables.size() == 3);
   const Experiment experiment = read(draft);
-  REQUIRE(experiment.runs.size() == 3);
-  CHECK_FALSE(experiment.runs[0].holds_end_point());
-  CHECK(experiment.runs[1].rest[0] == close_to(50 * std::numbers::pi / 180));
-  CHECK(experiment.runs[1].readings[0][column_q + 1] == close_to(9.6 * std::numbers::pi / 180));
+  REQUIRE(experiment.runs.size() == 1);
+  CHECK(experiment.runs[0].commands_joints());
+  CHECK(experiment.runs[0].readings[1].rest[0] == close_to(50 * std::numbers::pi / 180));
+  CHECK(experiment.runs[0].readings[1][column_q + 1] == close_to(9.6 * std::numbers::pi / 180));
 }
 
 TEST_CASE("a person who is asked is heard") {

@@ -16,6 +16,8 @@ TEST_CASE("numbers are written for readers") {
   CHECK(written(0.10512, NumberStyle::percent) == "10.5 %");
   CHECK(written(1.9098, NumberStyle::percent) == "191 %");
   CHECK(written(1e-9, NumberStyle::percent) == "< 0.01 %");
+  CHECK(written(0.9996, NumberStyle::percent) == "> 99.9 %");
+  CHECK(written(1, NumberStyle::percent) == "> 99.9 %");
   CHECK(written(0, NumberStyle::percent) == "0 %");
   CHECK(written(0.814, NumberStyle::share) == "81 %");
   CHECK(written(0.0994, NumberStyle::share) == "9.9 %");

@@ -43,6 +43,14 @@ TEST_CASE("a drawing and a page stay well-formed, whatever the file is called") 
   CHECK(text_of(page, "code") == from.command);
 }
 
+TEST_CASE("a page names files without their folders, and stands in the landmark at its end") {
+  const Provenance asked{"plumbline", "plumbline diagnose /home/anna/lab --model ../models/arm.xml", ""};
+  const std::string page = on_page(document("A", "of", "<p>it</p>\n<footer>\n</footer>\n"), asked);
+  CHECK(text_of(page, "code") == "plumbline diagnose lab --model arm.xml");
+  CHECK(page.find("provenance") < page.find("</footer>"));
+  CHECK(on_page("<body></body>", asked).find("</footer>") != std::string::npos);
+}
+
 TEST_CASE("the date of a page is that of SOURCE_DATE_EPOCH") {
   setenv("SOURCE_DATE_EPOCH", "86400", 1);
   CHECK(on_page("<body></body>", from).find("Made on 1970-01-02 by") != std::string::npos);

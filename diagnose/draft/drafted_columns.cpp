@@ -1,0 +1,66 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "diagnose/draft/drafted_run.hpp"
+
+namespace plumbline::diagnose {
+
+const std::array<SingleChannel, draft_singles>& single_channels(Alone alone) {
+  using Channels = std::array<SingleChannel, draft_singles>;
+  static const Channels plane{{{"t", &quantity::time},
+                               {"x", &quantity::length},
+                               {"y", &quantity::length},
+                               {"Fx", &quantity::force},
+                               {"Fy", &quantity::force}}};
+  static const Channels turns{{{"t", &quantity::time},
+                               {"angle", &quantity::angle},
+                               {"", &quantity::angle},
+                               {"torque", &quantity::torque},
+                               {"", &quantity::torque}}};
+  return alone == Alone::turns ? turns : plane;
+}
+
+std::vector<double> DraftedRun::values(const DraftColumn& column, const Quantity& quantity) const {
+  if (column.constant) return std::vector<double>(source.readings(), *column.constant);
+  const double unit = column.unit.empty() ? 1 : parse_unit(column.unit, quantity, "").in_si();
+  std::vector<double> all = source.numbers(column.place);
+  for (double& value : all) value = column.sign * (value - column.zero) * unit;
+  return all;
+}
+
+std::vector<double> DraftedRun::values(std::size_t single) const {
+  if (!singles[single]) return {};
+  return values(*singles[single], *single_channels(alone)[single].quantity);
+}
+
+bool DraftedRun::uses(std::size_t column) const {
+  const auto is = [column](const DraftColumn& one) { return !one.constant && one.place == column; };
+  return std::any_of(singles.begin(), singles.end(), [&](const auto& one) { return one && is(*one); }) ||
+         std::any_of(angles.begin(), angles.end(), is) || std::any_of(commands.begin(), commands.end(), is) ||
+         std::any_of(covariates.begin(), covariates.end(), [&](const auto& one) { return is(one.second); }) ||
+         std::any_of(actuators.begin(), actuators.end(), [&](const auto& one) { return is(one.column); }) ||
+         std::find(further.begin(), further.end(), column) != further.end();
+}
+
+std::optional<std::string> say_guess(DraftedRun& run, const Ask& ask, Guess guess) {
+  std::optional<std::string> answer;
+  if (guess.doubtful && ask) answer = ask(guess);
+  if (answer) guess = {guess.what, *answer, "as you said"};
+  run.guesses.push_back(std::move(guess));
+  return answer;
+}
+
+EvenSteps even_steps(double of_place, double of_load, const char* places, const char* loads) {
+  constexpr double clearly = 2, even = 0.002;  // where both go evenly, either may count as put
+  const bool load = of_load < of_place;
+  const double more = std::max(of_place, of_load);
+  return {
+      load, more > clearly * std::min(of_place, of_load) || more < even,
+      fmt::format("from reading to reading the {} go more evenly than the {} ({:.2g} % against {:.2g} % of "
+                  "their range)",
+                  load ? loads : places, load ? places : loads, 100 * std::min(of_place, of_load),
+                  100 * std::max(of_place, of_load))};
+}
+
+}  // namespace plumbline::diagnose
