@@ -19,10 +19,10 @@ std::vector<Parameter> unknown_parameters(const Sizes& sizes, const std::vector<
   for (const Stated& number : stated_numbers(sizes)) {
     if (std::find(unknown.begin(), unknown.end(), number.term) == unknown.end()) continue;
     const double far = 1e4 * number.typical;
-    all.push_back(
-        {diagnose::both_ways(number.id, number.unit, number.typical, number.signed_ ? -far : 0, far),
-         {number.term},
-         number.signed_ ? 0 : number.typical});
+    all.push_back({{number.id, number.unit, diagnose::Coordinate::plain, number.typical,
+                    number.signed_ ? -far : 0, far},
+                   {number.term},
+                   number.signed_ ? 0 : number.typical});
   }
   return all;
 }

@@ -6,7 +6,16 @@
 namespace plumbline::motion {
 namespace {
 
-using diagnose::both_ways, diagnose::Coordinate, diagnose::one_way;
+using diagnose::Coordinate, diagnose::ParameterRange;
+
+/// Of a number whose zero is the nominal model: of either sign, and not negative.
+ParameterRange both_ways(std::string_view name, std::string_view unit, double scale, double low,
+                         double high) {
+  return {name, unit, Coordinate::plain, scale, low, high};
+}
+ParameterRange one_way(std::string_view name, std::string_view unit, double scale, double high) {
+  return both_ways(name, unit, scale, 0, high);
+}
 
 /// Root mean square about the mean.
 double deviation(const std::vector<double>& values) {
@@ -44,9 +53,9 @@ std::vector<Row> rows_of_command(const Sizes& sizes) {
       row("command_offset", "an offset between command and position",
           {{both_ways("offset", "rad", 0.02, -sizes.angle, sizes.angle), {Term::command_offset}, 0}}),
       row("command_scale", "a scale of the command",
-          {{both_ways("e", "ratio", 0.05, -0.5, 0.5), {Term::command_scale}, 0}}),
+          {{both_ways("e", "ratio", 0.02, -0.2, 0.2), {Term::command_scale}, 0}}),
       row("encoder_scale", "a scale of the encoder",
-          {{both_ways("e", "ratio", 0.05, -0.5, 0.5), {Term::encoder_scale}, 0}}),
+          {{both_ways("e", "ratio", 0.02, -0.2, 0.2), {Term::encoder_scale}, 0}}),
   };
 }
 

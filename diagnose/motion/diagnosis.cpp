@@ -54,6 +54,17 @@ Hypothesis certain_part(const Study& study, const Findings& findings, const Post
   return fitted(study, *findings.likelihood, candidate, start);
 }
 
+/// Why something is left beside a cause that is named; empty where nothing is.
+std::string rest_of(const Diagnosis& d, const Hypothesis& named, double sigma) {
+  for (std::size_t p = 0; p < named.values.size(); ++p)
+    if (named.at_bound[p] && named.values[p] != 0) return "a value stands at the end of its range";
+  const bool held_out =
+      std::any_of(d.errors.begin(), d.errors.end(), [](const LogError& one) { return one.held_out; });
+  const LogError mean = d.mean(held_out);
+  const bool whole = mean.after <= std::max(diagnose::priors::whole_cause_leaves * mean.before, 2 * sigma);
+  return whole ? "" : "the rest is outside the catalogue";
+}
+
 std::vector<LogError> errors_of(const Bench& bench, const Drive<double>& before, const Drive<double>& after) {
   std::vector<LogError> all;
   for (const bool held_out : {false, true})
@@ -84,6 +95,7 @@ Diagnosis diagnose_motion(const Study& study, const std::function<void(double)>&
   result.verdict = verdict.verdict;
   result.gap = 1 - posterior.no_gap;
   result.outside = posterior.outside;
+  result.or_outside = verdict.or_outside;
   constexpr std::size_t most_ranked = 8;
   for (const diagnose::CauseProbability& one : posterior.causes)
     if (result.ranking.size() < most_ranked)
@@ -100,6 +112,7 @@ Diagnosis diagnose_motion(const Study& study, const std::function<void(double)>&
       for (const Row* row : part.candidate.rows)
         least = std::min(least, posterior.effects.at(std::string(row->id)));
       result.verdict = CauseVerdict::partial;
+      result.or_outside = false;
       result.causes = {named(study, part, least, posterior.temper)};
       best = std::move(part);
     }
@@ -110,6 +123,9 @@ Diagnosis diagnose_motion(const Study& study, const std::function<void(double)>&
   result.drive = study.drive(best.parameters, best.values);
   result.errors = errors_of(study.bench(), study.drive(findings.nominal.parameters, findings.nominal.values),
                             result.drive);
+  if (!result.causes.empty()) result.rest = rest_of(result, best, study.bench().sigma);
+  if (result.verdict == CauseVerdict::identified && !result.rest.empty())
+    result.verdict = CauseVerdict::partial;
   return result;
 }
 

@@ -43,6 +43,8 @@ struct Diagnosis {
   diagnose::CauseVerdict verdict;
   double gap = 0;                   ///< probability that there is one
   double outside = 0;               ///< probability of a cause outside of the catalogue
+  bool or_outside = false;          ///< whether that is one of the alternatives
+  std::string rest;                 ///< why something is left beside what is named; empty where nothing is
   std::vector<NamedCause> causes;   ///< those that are named, most probable first
   std::vector<NamedCause> ranking;  ///< the most probable ones, named or not
   std::vector<Estimate> before;     ///< the drive's unknown numbers without a cause

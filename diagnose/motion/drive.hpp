@@ -3,7 +3,8 @@
 /// A joint that a position servo drives: the terms of its equation of motion, and one step in time.
 
 #include <array>
-#include <plumbline/base/dual.hpp>
+
+#include "diagnose/motion/dual.hpp"
 
 namespace plumbline::motion {
 

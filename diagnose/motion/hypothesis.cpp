@@ -140,16 +140,20 @@ double log_volume(const Study& study, const Hypothesis& h, const Slope& slope) {
   return volume.log();
 }
 
+/// Numbers that the logs cannot tell apart are as uncertain as their typical sizes allow.
 MatrixXd covariance_of(const Hypothesis& h, const MatrixXd& information) {
   std::vector<Index> inside;
   for (std::size_t p = 0; p < h.parameters.size(); ++p)
-    if (const auto k = static_cast<Index>(p); !h.at_bound[p] && information(k, k) > 0) inside.push_back(k);
+    if (!h.at_bound[p]) inside.push_back(static_cast<Index>(p));
   MatrixXd covariance = MatrixXd::Zero(information.rows(), information.cols());
   const auto n = static_cast<Index>(inside.size());
-  covariance(inside, inside) = MatrixXd(information(inside, inside))
-                                   .completeOrthogonalDecomposition()
-                                   .solve(MatrixXd::Identity(n, n))
-                                   .eval();
+  VectorXd unit(n);
+  for (Index f = 0; f < n; ++f)
+    unit(f) = h.parameters[static_cast<std::size_t>(inside[static_cast<std::size_t>(f)])].range.scale;
+  const MatrixXd scaled = MatrixXd::Identity(n, n) +
+                          unit.asDiagonal() * MatrixXd(information(inside, inside)) * unit.asDiagonal();
+  covariance(inside, inside) =
+      unit.asDiagonal() * scaled.ldlt().solve(MatrixXd::Identity(n, n)) * unit.asDiagonal();
   return covariance;
 }
 
@@ -166,6 +170,15 @@ double log_prior_of(const Study& study, const Candidate& candidate) {
 }
 
 }  // namespace
+
+double forecast(const Study& study, const Likelihood& likelihood, const Candidate& candidate,
+                const std::vector<double>& start, const Cell& cell) {
+  const std::vector<Parameter> parameters = study.parameters(candidate);
+  const Point point = Fit(study, likelihood, parameters).at(start, cell);
+  if (!std::isfinite(point.log_posterior)) return point.log_posterior;
+  return point.log_posterior +
+         point.slope.gradient.dot(point.slope.information.ldlt().solve(point.slope.gradient)) / 2;
+}
 
 double size_of(const std::vector<SegmentMeans>& left) {
   double sum = 0, count = 0;

@@ -25,6 +25,10 @@ struct Hypothesis {
 Hypothesis fitted(const Study& study, const Likelihood& likelihood, Candidate candidate,
                   std::vector<double> start);
 
+/// What a fit from this start promises: the log likelihood at the end of one step of Newton's, in one cell.
+double forecast(const Study& study, const Likelihood& likelihood, const Candidate& candidate,
+                const std::vector<double>& start, const Cell& cell);
+
 /// Root mean square of what a hypothesis leaves of the means, rad.
 double size_of(const std::vector<SegmentMeans>& left);
 

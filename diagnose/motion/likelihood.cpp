@@ -11,10 +11,11 @@
 namespace plumbline::motion {
 namespace {
 
-/// Degrees of freedom of a segment's scale: known within a factor of two.
-constexpr double freedom = 4;
-/// Times of correlation, s; equally probable.
-constexpr std::array correlations{0.15, 0.5, 1.5};
+/// Degrees of freedom of a segment's scale: its logarithm is known to about a fifth.
+constexpr double freedom = 12;
+/// Times of correlation, s; equally probable. The longest is a quarter of a segment: what varies more slowly
+/// is an offset of the segment, which belongs to the zero of the joint.
+constexpr std::array correlations{0.06, 0.17, 0.5};
 
 Eigen::MatrixXd covariance(const SegmentMeans& left, const Cell& cell) {
   const Eigen::Index n = left.time.size();

@@ -11,10 +11,22 @@ namespace {
 
 using diagnose::CauseVerdict;
 
-std::string words_of(const NamedCause& cause) {
+bool has(const NamedCause& cause, const NamedEffect& effect) {
+  return std::any_of(cause.effects.begin(), cause.effects.end(),
+                     [&](const NamedEffect& one) { return one.id == effect.id; });
+}
+
+/// The words of the effects that `is_meant` is true of.
+template <class Meant>
+std::string words_of(const NamedCause& cause, const Meant& is_meant) {
   std::vector<std::string_view> words;
-  for (const NamedEffect& one : cause.effects) words.push_back(one.words);
-  return fmt::format("{}", fmt::join(words, ", and "));
+  for (const NamedEffect& one : cause.effects)
+    if (is_meant(one)) words.push_back(one.words);
+  return fmt::format("{}", fmt::join(words, "; "));
+}
+
+std::string words_of(const NamedCause& cause) {
+  return words_of(cause, [](const NamedEffect&) { return true; });
 }
 
 std::string with_unit(const Estimate& one) {
@@ -35,6 +47,26 @@ std::string sizes_of(const NamedCause& cause) {
   return text;
 }
 
+/// Several causes: what all of them have, then what tells them apart.
+std::string alternatives_text(const Diagnosis& d) {
+  const auto is_common = [&](const NamedEffect& effect) {
+    return std::all_of(d.causes.begin(), d.causes.end(),
+                       [&](const NamedCause& cause) { return has(cause, effect); });
+  };
+  const std::string common = words_of(d.causes.front(), is_common);
+  std::string text =
+      common.empty() ? "Ambiguous: one of\n"
+                     : fmt::format("{}: {}; and one of\n", d.rest.empty() ? "Identified" : "Mostly", common);
+  for (const NamedCause& one : d.causes) {
+    const std::string own = words_of(one, [&](const NamedEffect& effect) { return !is_common(effect); });
+    text += fmt::format("  - {} (probability {})\n", own.empty() ? "nothing else" : own,
+                        probability_text(one.probability));
+  }
+  if (d.or_outside)
+    text += fmt::format("  - a cause outside the catalogue (probability {})\n", probability_text(d.outside));
+  return text;
+}
+
 std::string verdict_text(const Diagnosis& d) {
   switch (d.verdict) {
     case CauseVerdict::none:
@@ -42,14 +74,9 @@ std::string verdict_text(const Diagnosis& d) {
     case CauseVerdict::identified:
       return fmt::format("Identified: {}\n{}", words_of(d.causes.front()), sizes_of(d.causes.front()));
     case CauseVerdict::partial:
-      return fmt::format("Mostly: {}\n{}  the rest is outside the catalogue\n", words_of(d.causes.front()),
-                         sizes_of(d.causes.front()));
-    case CauseVerdict::ambiguous: {
-      std::string text = "Ambiguous:\n";
-      for (const NamedCause& one : d.causes)
-        text += fmt::format("  {} (probability {})\n", words_of(one), probability_text(one.probability));
-      return text + sizes_of(d.causes.front());
-    }
+      return fmt::format("Mostly: {}\n{}", words_of(d.causes.front()), sizes_of(d.causes.front()));
+    case CauseVerdict::ambiguous:
+      return alternatives_text(d) + sizes_of(d.causes.front());
     case CauseVerdict::unknown:
       break;
   }
@@ -72,8 +99,8 @@ std::string look_text(const LogsLook& look) {
       look.logs, look.readings, 1e3 * look.step, 1e3 * look.step_low, 1e3 * look.step_high, look.quantum);
   if (look.off > 0) text += fmt::format("  the drive is off in {:.0f} % of them\n", 100 * look.off);
   if (look.saturated > 0)
-    text +=
-        fmt::format("  the error asks for the whole duty in {:.1f} % of the rest\n", 100 * look.saturated);
+    text += fmt::format("  the error asks for the whole duty in {:.1f} % of those with power\n",
+                        100 * look.saturated);
   return text;
 }
 
@@ -116,6 +143,7 @@ nlohmann::ordered_json list_of(const std::vector<Entry>& entries) {
 
 std::string as_text(const Diagnosis& d) {
   std::string text = fmt::format("{}\n\n{}", d.name, verdict_text(d));
+  if (!d.rest.empty()) text += fmt::format("  {}\n", d.rest);
   text += "  mean error of position, each log predicted whole from its first reading:\n";
   text += error_text(d, true) + error_text(d, false);
   text +=

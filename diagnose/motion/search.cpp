@@ -10,8 +10,9 @@
 namespace plumbline::motion {
 namespace {
 
-/// Hypotheses of each size beside which a further row is looked for: more costs time alone.
-constexpr std::size_t seeds = 4;
+/// Hypotheses of each size beside which a further row is looked for, and the rows beside each of them whose
+/// forecasts are fitted: more costs time alone.
+constexpr std::size_t seeds = 4, fitted_beside = 7;
 
 bool more_evidence(const Hypothesis& a, const Hypothesis& b) {
   return a.log_evidence() > b.log_evidence();
@@ -74,28 +75,50 @@ class Searcher {
     for (Hypothesis& h : level) found_.hypotheses.push_back(std::move(h));
   }
 
+  /// A candidate to be fitted.
+  struct Task {
+    Candidate candidate;
+    std::vector<double> start;
+    double promise = 0;
+  };
+
   /// Each of these with one row more; most evidence first.
   std::vector<Hypothesis> extended(const std::vector<const Hypothesis*>& from,
                                    const std::function<void(double)>& report) {
     std::vector<Hypothesis> level;
     std::set<std::set<const Row*>> tried;
-    double done = 0;
-    for (const Hypothesis* lead : from)
-      for (const Row& row : study_.rows()) {
-        report(done++ / static_cast<double>(from.size() * study_.rows().size()));
-        Candidate candidate = lead->candidate;
-        candidate.rows.push_back(&row);
-        if (lead->candidate.has(row) || !tried.insert(rows_of(candidate)).second ||
-            shares_a_term(lead->candidate, row) ||
-            lead->values.size() + row.parameters.size() > most_parameters)
-          continue;
-        std::vector<double> start = lead->values;
-        for (const Parameter& one : row.parameters) start.push_back(one.guess);
-        Hypothesis one = fitted(study_, *found_.likelihood, candidate, start);
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      const std::vector<Task> tasks = tasks_beside(*from[i], tried);
+      for (std::size_t k = 0; k < tasks.size(); ++k) {
+        report((static_cast<double>(i) + static_cast<double>(k) / static_cast<double>(tasks.size())) /
+               static_cast<double>(from.size()));
+        Hypothesis one = fitted(study_, *found_.likelihood, tasks[k].candidate, tasks[k].start);
         if (std::isfinite(one.log_evidence())) level.push_back(std::move(one));
       }
+    }
     std::sort(level.begin(), level.end(), more_evidence);
     return level;
+  }
+
+  /// Every row beside the nominal model; the most promising ones beside a cause.
+  std::vector<Task> tasks_beside(const Hypothesis& lead, std::set<std::set<const Row*>>& tried) const {
+    std::vector<Task> tasks;
+    for (const Row& row : study_.rows()) {
+      Task task{lead.candidate, lead.values};
+      task.candidate.rows.push_back(&row);
+      for (const Parameter& one : row.parameters) task.start.push_back(one.guess);
+      if (lead.candidate.has(row) || shares_a_term(lead.candidate, row) ||
+          task.start.size() > most_parameters || tried.count(rows_of(task.candidate)) > 0)
+        continue;
+      if (!lead.candidate.rows.empty())
+        task.promise = forecast(study_, *found_.likelihood, task.candidate, task.start, lead.look.best);
+      tasks.push_back(std::move(task));
+    }
+    std::stable_sort(tasks.begin(), tasks.end(),
+                     [](const Task& a, const Task& b) { return a.promise > b.promise; });
+    if (!lead.candidate.rows.empty() && tasks.size() > fitted_beside) tasks.resize(fitted_beside);
+    for (const Task& task : tasks) tried.insert(rows_of(task.candidate));
+    return tasks;
   }
 
   /// Whether a row changes what another one of these changes already: then they are forms of one cause.

@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <cmath>
 
-namespace plumbline {
+namespace plumbline::motion {
 
 /// A double and its derivatives by `size` variables. Comparisons look at the value alone.
 /// \code{.cpp}
@@ -87,4 +87,4 @@ Dual<size> composed(double f, double slope, const Dual<size>& x) {
   return {f, slope * x.derivative};
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::motion
