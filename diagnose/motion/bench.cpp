@@ -12,6 +12,9 @@ namespace {
 /// Duration of a segment, and of the means of neighbouring readings: numbers of the method, s. A segment is
 /// long beside every delay, and short beside the time after which a small error owns the rest.
 constexpr double segment_duration = 2, mean_duration = 0.05;
+/// The angle at the begin of a segment is known to so many times the noise, its speed not at all: a parabola
+/// through readings follows no servo that catches its command.
+constexpr double begin_known = 10;
 
 /// What the model leaves to the fit: begins at its typical size.
 std::vector<Parameter> unknown_parameters(const Sizes& sizes, const std::vector<Term>& unknown) {
@@ -45,8 +48,7 @@ Study::Study(Bench bench)
       unknown_(unknown_parameters(sizes_, bench_.unknown)),
       rows_(catalogue(sizes_, bench_.nominal, bench_.unknown)),
       segments_(segments_of(bench_.logs, segment_duration)) {
-  for (const Segment& one : segments_)
-    begins_.push_back(initial_state(bench_.logs[one.log], one.first, bench_.sigma));
+  for (const Segment& one : segments_) begins_.push_back(initial_state(bench_.logs[one.log], one.first));
 }
 
 std::vector<Parameter> Study::parameters(const Candidate& candidate) const {
@@ -99,8 +101,8 @@ SegmentMeans Study::left_of(std::size_t segment, const std::vector<Parameter>& p
     const Number mean = sum / count;
     left.residual(i) -= mean.value;
     left.slopes.row(i) = mean.derivative.head(columns).matrix().transpose();
-    left.initial.row(i) << mean.derivative(at_begin) * begin.q_sigma,
-        mean.derivative(at_begin + 1) * begin.v_sigma;
+    left.initial.row(i) << mean.derivative(at_begin) * begin_known * bench_.sigma,
+        mean.derivative(at_begin + 1) * sizes_.speed;
     left.variance(i) = bench_.sigma * bench_.sigma / count;
   }
   return left;
@@ -114,18 +116,12 @@ std::vector<SegmentMeans> Study::left(const std::vector<Parameter>& parameters,
   return all;
 }
 
-double error_of(const Drive<double>& drive, const MotionLog& log, double sigma) {
-  const InitialState begin = initial_state(log, 0, sigma);
+double error_of(const Drive<double>& drive, const MotionLog& log) {
+  const InitialState begin = initial_state(log, 0);
   const std::vector<double> angle = roll_out(drive, log, {0, 0, log.time.size()}, begin.q, begin.v);
   double sum = 0;
   for (std::size_t k = 0; k < angle.size(); ++k) sum += std::abs(angle[k] - log.position[k]);
   return sum / static_cast<double>(angle.size());
-}
-
-double error_of(const Drive<double>& drive, const std::vector<MotionLog>& logs, double sigma) {
-  double sum = 0;
-  for (const MotionLog& log : logs) sum += error_of(drive, log, sigma);
-  return sum / static_cast<double>(logs.size());
 }
 
 }  // namespace plumbline::motion

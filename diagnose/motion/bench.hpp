@@ -71,8 +71,6 @@ class Study {
 inline constexpr std::size_t most_parameters = 14;
 
 /// Mean of |predicted - measured| over a log that is rolled out whole from its first reading, rad.
-double error_of(const Drive<double>& drive, const MotionLog& log, double sigma);
-/// The mean of that over logs.
-double error_of(const Drive<double>& drive, const std::vector<MotionLog>& logs, double sigma);
+double error_of(const Drive<double>& drive, const MotionLog& log);
 
 }  // namespace plumbline::motion

@@ -69,8 +69,7 @@ std::vector<LogError> errors_of(const Bench& bench, const Drive<double>& before,
   std::vector<LogError> all;
   for (const bool held_out : {false, true})
     for (const MotionLog& log : held_out ? bench.held_out : bench.logs)
-      all.push_back(
-          {log.name, held_out, error_of(before, log, bench.sigma), error_of(after, log, bench.sigma)});
+      all.push_back({log.name, held_out, error_of(before, log), error_of(after, log)});
   return all;
 }
 

@@ -11,8 +11,9 @@
 namespace plumbline::motion {
 namespace {
 
-/// Degrees of freedom of a segment's scale: its logarithm is known to about a fifth.
-constexpr double freedom = 12;
+/// Degrees of freedom of a segment's scale, whose logarithm is thus known to about a ninth. Fewer let a fit
+/// give up the segments that it does not reach.
+constexpr double freedom = 40;
 /// Times of correlation, s; equally probable. The longest is a quarter of a segment: what varies more slowly
 /// is an offset of the segment, which belongs to the zero of the joint.
 constexpr std::array correlations{0.06, 0.17, 0.5};

@@ -41,8 +41,8 @@ LogsLook look_at(const std::vector<MotionLog>& logs) {
       powered += log.powered[k], saturated += is_saturated(log, k);
       if (k == 0) continue;
       steps.push_back(log.time[k] - log.time[k - 1]);
-      // Decimals of a file are no quantum.
-      if (const double change = std::abs(log.position[k] - log.position[k - 1]); change > 1e-9)
+      // Rounding of noise that no encoder has rounded is no quantum.
+      if (const double change = std::abs(log.position[k] - log.position[k - 1]); change > 1e-5)
         look.quantum = std::min(look.quantum, change);
     }
   }

@@ -6,7 +6,7 @@
 
 namespace plumbline::motion {
 
-InitialState initial_state(const MotionLog& log, std::size_t reading, double sigma) {
+InitialState initial_state(const MotionLog& log, std::size_t reading) {
   constexpr std::size_t to_either_side = 3;
   const std::size_t first = reading > to_either_side ? reading - to_either_side : 0;
   const std::size_t end = std::min(log.time.size(), reading + to_either_side + 1);
@@ -18,10 +18,8 @@ InitialState initial_state(const MotionLog& log, std::size_t reading, double sig
     normal += row * row.transpose();
     right += row * log.position[k];
   }
-  const Eigen::LDLT<Eigen::Matrix3d> solver(normal);
-  const Eigen::Vector3d found = solver.solve(right);
-  const Eigen::Matrix3d covariance = solver.solve(Eigen::Matrix3d::Identity().eval());
-  return {found(0), found(1), sigma * std::sqrt(covariance(0, 0)), sigma * std::sqrt(covariance(1, 1))};
+  const Eigen::Vector3d found = normal.ldlt().solve(right);
+  return {found(0), found(1)};
 }
 
 std::vector<Segment> segments_of(const std::vector<MotionLog>& logs, double duration) {

@@ -26,13 +26,12 @@ struct Segment {
   std::size_t first, end;  ///< readings
 };
 
-/// Angle and speed at a reading, from a parabola through its neighbours, and their standard deviations.
+/// Angle and speed at a reading, from a parabola through its neighbours.
 struct InitialState {
-  double q, v, q_sigma, v_sigma;
+  double q, v;
 };
 
-/// \param sigma  of the readings of position, rad
-InitialState initial_state(const MotionLog& log, std::size_t reading, double sigma);
+InitialState initial_state(const MotionLog& log, std::size_t reading);
 
 /// Segments of about this duration, s.
 std::vector<Segment> segments_of(const std::vector<MotionLog>& logs, double duration);

@@ -74,7 +74,7 @@ TEST_CASE("what cannot be a log is refused in one line") {
   CHECK(
       still.refused().starts_with("a.csv: found a position that never changes, expected a joint in motion"));
   Folder saturated;
-  saturated.replace("gain = 2", "gain = 2000");
+  saturated.replace("gain = 2", "gain = 1e6");
   CHECK(saturated.refused().starts_with("a.csv: found a drive that is saturated all along"));
   Folder few;
   few.rows.resize(few.rows.size() / 2);
