@@ -18,7 +18,7 @@ inline Drive<double> planted_drive(Term term, double value) {
   return drive;
 }
 
-/// Four seconds at 100 Hz; readings with this noise, rad.
+/// Four seconds at 100 Hz, from rest; readings with this noise, rad.
 inline MotionLog test_log(const Drive<double>& drive, double gain, double sigma, unsigned seed = 1) {
   MotionLog log;
   log.name = "test";
@@ -26,11 +26,11 @@ inline MotionLog test_log(const Drive<double>& drive, double gain, double sigma,
   for (int k = 0; k < 400; ++k) {
     const double t = 0.01 * k;
     log.time.push_back(t);
-    log.command.push_back(0.7 * std::sin(2.2 * t) + 0.25 * std::sin(6.1 * t + gain));
+    log.command.push_back(0.7 * std::sin(2.2 * t) + 0.25 * std::sin((5 + gain / 8) * t));
     log.supply.push_back(12), log.powered.push_back(true);
   }
   log.position.assign(log.time.size(), 0);
-  log.position = roll_out(drive, log, {0, 0, log.time.size()}, 0.1, 0.0);
+  log.position = roll_out(drive, log, {0, 0, log.time.size()}, 0.0, 0.0);
   std::mt19937 generator(seed);
   std::normal_distribution<double> noise(0, sigma);
   if (sigma > 0)
