@@ -10,6 +10,7 @@
 #include "app/corrected_files.hpp"
 #include "app/diagnose_change.hpp"
 #include "app/diagnose_many.hpp"
+#include "app/diagnose_motion.hpp"
 #include "app/experiment_input.hpp"
 #include "app/outputs.hpp"
 #include "app/progress.hpp"
@@ -125,7 +126,20 @@ void run_diagnosis(const DiagnoseOptions& options, const CLI::App& verb) {
   if (options.next && diagnosis.proposals.empty()) fmt::print("\n{}", nothing_next(diagnosis));
 }
 
+void run_motion(const DiagnoseOptions& options, const CLI::App& verb) {
+  for (const auto& [name, value] : {std::pair{"--model", options.model},
+                                    {"--effects", options.effects},
+                                    {"--corrected", options.corrected},
+                                    {"--html", options.html}})
+    if (!value.empty()) throw Error(name, "an experiment of motion", "a bench of loads or poses");
+  if (options.plan || options.next)
+    throw Error(options.plan ? "--plan" : "--next", "an experiment of motion", "a bench of loads or poses");
+  diagnose_motion(options.experiments.front(), options.json, verb);
+}
+
 void run(const DiagnoseOptions& options, const CLI::App& verb) {
+  if (options.experiments.size() == 1 && options.reports.empty() && is_motion(options.experiments.front()))
+    return run_motion(options, verb);
   if (options.plan) return run_plan(options, verb);
   if (options.experiments.size() > 1 || !options.reports.empty()) return run_many(options, verb);
   if (options.against.empty()) return run_diagnosis(options, verb);

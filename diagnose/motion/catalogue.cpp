@@ -1,0 +1,156 @@
+#include "diagnose/motion/catalogue.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline::motion {
+namespace {
+
+using diagnose::Coordinate, diagnose::ParameterRange;
+
+/// Of a number whose zero is the nominal model: of either sign, and not negative.
+ParameterRange both_ways(std::string_view name, std::string_view unit, double scale, double low,
+                         double high) {
+  return {name, unit, Coordinate::plain, scale, low, high};
+}
+ParameterRange one_way(std::string_view name, std::string_view unit, double scale, double high) {
+  return both_ways(name, unit, scale, 0, high);
+}
+
+/// Root mean square about the mean.
+double deviation(const std::vector<double>& values) {
+  double sum = 0, squares = 0;
+  for (const double x : values) sum += x, squares += x * x;
+  const auto n = static_cast<double>(values.size());
+  return std::sqrt(std::max(0.0, squares / n - std::pow(sum / n, 2)));
+}
+
+Row row(std::string_view id, std::string_view words, std::vector<Parameter> parameters,
+        bool refines = false) {
+  return {id, words, std::move(parameters), refines};
+}
+
+/// A number that the model states, and that is another.
+Row wrong(const Stated& number, double nominal) {
+  const double scale = nominal == 0 ? number.typical : 0.2 * std::abs(nominal), far = 1e3 * number.typical;
+  return row(number.id, number.words,
+             {{both_ways("delta", number.unit, scale, number.signed_ ? -far : -nominal, far),
+               {number.term},
+               number.signed_ ? 0 : scale}});
+}
+
+std::vector<Row> rows_of_command(const Sizes& sizes) {
+  return {
+      row("command_delay", "a delay between command and motion",
+          {{one_way("t_d", "s", 0.02, 0.5), {Term::command_delay}, 0.015}}),
+      row("drive_lag", "a lag of the drive", {{one_way("tau", "s", 0.02, 0.5), {Term::drive_lag}, 0.01}}),
+      row("dead_band", "a dead band of the servo",
+          {{one_way("d", "rad", 0.01, sizes.angle), {Term::dead_band}, 0.01}}),
+      row("duty_limit", "a lower limit of the duty",
+          {{one_way("missing", "ratio", 0.3, 0.95),
+            {Term::duty_missing},
+            1 - 0.8 * std::min(1.0, sizes.duty)}}),
+      row("command_offset", "an offset between command and position",
+          {{both_ways("offset", "rad", 0.02, -sizes.angle, sizes.angle), {Term::command_offset}, 0}}),
+      row("command_scale", "a scale of the command",
+          {{both_ways("e", "ratio", 0.02, -0.2, 0.2), {Term::command_scale}, 0}}),
+      row("encoder_scale", "a scale of the encoder",
+          {{both_ways("e", "ratio", 0.02, -0.2, 0.2), {Term::encoder_scale}, 0}}),
+  };
+}
+
+std::vector<Row> rows_of_friction(const Sizes& sizes) {
+  const double torque = 0.1 * sizes.torque;
+  return {
+      row("stribeck_friction", "dry friction that falls with speed",
+          {{one_way("tau_s", "N m", torque, 10 * sizes.torque), {Term::dry_rising}, torque},
+           {{"v_s", "rad/s", Coordinate::plain, 0.3 * sizes.speed, 0.01 * sizes.speed, 10 * sizes.speed},
+            {Term::rising_speed},
+            0.2 * sizes.speed}}),
+      row("quadratic_drag", "friction with the square of speed",
+          {{one_way("d", "N m s^2/rad^2", torque / (sizes.speed * sizes.speed), 1e3 * torque),
+            {Term::drag},
+            0.1 * torque / (sizes.speed * sizes.speed)}}),
+      row("load_friction", "a loss of the gear that grows with its load",
+          {{one_way("c", "ratio", 0.2, 0.99), {Term::loss_driving, Term::loss_driven}, 0.1}}),
+      row("directional_loss", "a loss of the gear that grows with its load, another one driving and driven",
+          {{one_way("c_driving", "ratio", 0.2, 0.99), {Term::loss_driving}, 0.1},
+           {one_way("c_driven", "ratio", 0.2, 0.99), {Term::loss_driven}, 0.1}},
+          true),
+      row("one_way_friction", "dry friction that differs by direction",
+          {{both_ways("delta", "N m", torque, -sizes.torque, sizes.torque), {Term::direction}, 0}}),
+  };
+}
+
+std::vector<Row> rows_of_load(const Sizes& sizes) {
+  std::vector<Row> rows{
+      row("load_mass", "another mass of the load",
+          {{both_ways("e", "ratio", 0.1, -0.95, 10), {Term::load_mass}, 0}}),
+      row("torque_offset", "a torque that always acts",
+          {{both_ways("tau_0", "N m", 0.1 * sizes.torque, -10 * sizes.torque, 10 * sizes.torque),
+            {Term::torque_offset},
+            0}}),
+      row("spring", "a spring or cable along the way",
+          {{both_ways("k", "N m/rad", 0.1 * sizes.torque, -10 * sizes.torque, 100 * sizes.torque),
+            {Term::spring},
+            0}}),
+  };
+  if (sizes.unpowered)
+    rows.push_back(row("brake", "a brake while the drive is off",
+                       {{one_way("d", "N m s/rad", 0.1 * sizes.torque / sizes.speed, 1e3 * sizes.torque),
+                         {Term::brake},
+                         0.03 * sizes.torque / sizes.speed}}));
+  return rows;
+}
+
+}  // namespace
+
+Sizes::Sizes(const std::vector<MotionLog>& logs) {
+  double squares = 0, turns = 0, stamps = 0, volts = 0;
+  for (const MotionLog& log : logs) {
+    const std::size_t last = log.time.size() - 1;
+    angle = std::max(angle, deviation(log.position));
+    inertia = std::max(inertia, log.inertia);
+    torque = std::max(torque, log.gravity);
+    for (std::size_t k = 0; k <= last; ++k) {
+      volts += log.supply[k], ++stamps;
+      unpowered = unpowered || !log.powered[k];
+      if (log.powered[k]) duty = std::max(duty, log.gain * std::abs(log.command[k] - log.position[k]));
+    }
+    // Over tenths of a second, so that the quantum of the encoder is no speed.
+    for (std::size_t k = 0, from = 0; k <= last; ++k)
+      if (const double past = log.time[k] - log.time[from]; past >= 0.1) {
+        squares += std::pow(log.position[k] - log.position[from], 2) / past, turns += past, from = k;
+      }
+  }
+  supply = volts / stamps;
+  speed = turns > 0 ? std::sqrt(squares / turns) : 0;
+  if (torque == 0 && angle > 0) torque = inertia * speed * speed / angle;
+}
+
+std::vector<Stated> stated_numbers(const Sizes& sizes) {
+  const double damping = 0.1 * sizes.torque / std::max(sizes.speed, 1e-6);
+  return {
+      {Term::stall_torque, "stall_torque", "another torque of the motor", "N m/V",
+       5 * sizes.torque / std::max(sizes.supply, 1e-6), false},
+      {Term::back_emf, "back_emf", "another back EMF", "N m s/rad", damping, false},
+      {Term::armature, "armature", "another inertia of the rotor (armature)", "kg m^2", 0.5 * sizes.inertia,
+       false},
+      {Term::zero, "encoder_zero", "another zero of the encoder", "rad", 0.02, true},
+      {Term::dry, "joint_friction", "dry friction in the joint", "N m", 0.05 * sizes.torque, false},
+      {Term::viscous, "viscous_friction", "viscous friction in the joint", "N m s/rad", damping, false},
+  };
+}
+
+std::vector<Row> catalogue(const Sizes& sizes, const Drive<double>& nominal,
+                           const std::vector<Term>& unknown) {
+  std::vector<Row> rows;
+  for (const Stated& number : stated_numbers(sizes))
+    if (std::find(unknown.begin(), unknown.end(), number.term) == unknown.end())
+      rows.push_back(wrong(number, nominal[number.term]));
+  for (std::vector<Row> some : {rows_of_command(sizes), rows_of_friction(sizes), rows_of_load(sizes)})
+    rows.insert(rows.end(), some.begin(), some.end());
+  return rows;
+}
+
+}  // namespace plumbline::motion

@@ -1,0 +1,60 @@
+#pragma once
+/// \file
+/// The rows of the catalogue for a joint in motion: what a drive may have that its model lacks.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "diagnose/inference/prior.hpp"
+#include "diagnose/motion/drive.hpp"
+#include "diagnose/motion/motion_log.hpp"
+
+namespace plumbline::motion {
+
+/// Typical sizes in some logs, from which typical sizes of effects follow.
+struct Sizes {
+  double torque = 0;       ///< N m: the largest moment of the load's weight, or what accelerates it
+  double inertia = 0;      ///< kg m^2: the largest of a load
+  double speed = 0;        ///< rad/s, root mean square of the motion
+  double angle = 0;        ///< rad, root mean square about the mean
+  double duty = 0;         ///< the largest that the servo asks for
+  double supply = 0;       ///< V, mean
+  bool unpowered = false;  ///< the drive is switched off somewhere
+
+  explicit Sizes(const std::vector<MotionLog>& logs);
+};
+
+/// A parameter of a row. Its value is added to every one of the terms.
+struct Parameter {
+  diagnose::ParameterRange range;
+  std::vector<Term> terms;
+  double guess;  ///< where fits begin
+};
+
+struct Row {
+  std::string_view id;
+  std::string_view words;  ///< a noun phrase that can follow "caused by"
+  std::vector<Parameter> parameters;
+  bool refines = false;  ///< holds a simpler row, and is rarer than it
+};
+
+/// A number that models of drives state, and a user may state, leave to the fit, or leave out.
+struct Stated {
+  Term term;
+  std::string_view id, words;
+  std::string_view unit;
+  double typical;  ///< size
+  bool signed_;    ///< may be negative
+};
+
+/// Torque, back EMF, armature, zero, dry and viscous friction.
+std::vector<Stated> stated_numbers(const Sizes& sizes);
+
+/// The rows that can change a reading of such logs.
+/// \param nominal   the stated numbers; what is not stated is zero
+/// \param unknown   terms that are fitted beside every cause: no row
+std::vector<Row> catalogue(const Sizes& sizes, const Drive<double>& nominal,
+                           const std::vector<Term>& unknown);
+
+}  // namespace plumbline::motion

@@ -1,0 +1,91 @@
+#include "diagnose/motion/judgement.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "diagnose/log_sum.hpp"
+#include "diagnose/priors.hpp"
+
+namespace plumbline::motion {
+namespace {
+
+using diagnose::Posterior, diagnose::Way, diagnose::log_sum, diagnose::sum;
+
+std::vector<std::string> labels_of(const Candidate& candidate) {
+  std::vector<std::string> labels;
+  for (const Row* row : candidate.rows) labels.emplace_back(row->id);
+  std::sort(labels.begin(), labels.end());
+  return labels;
+}
+
+/// Probability that a discrepancy is there, at sizes with this prior.
+double share_of_discrepancy(const Look& look, const std::vector<double>& log_amplitude) {
+  return 1 - std::exp(diagnose::log_posterior(look.log_by_amplitude, log_amplitude).front());
+}
+
+/// Every way in which the logs may have come about: noise alone, a cause outside, and each hypothesis with a
+/// little beside it, or as what a cause outside is imitated by.
+std::vector<Way> ways(const Findings& findings) {
+  const diagnose::Hyperpriors& priors = findings.likelihood->priors();
+  const double gap = std::log(1 - diagnose::priors::no_gap), out = std::log(diagnose::priors::outside),
+               in = std::log(1 - diagnose::priors::outside);
+  const Look& nominal = findings.nominal.look;
+  std::vector<Way> all{
+      {Way::Of::nothing, Way::none, std::log(diagnose::priors::no_gap), nominal.log_by_amplitude.front(), 0},
+      {Way::Of::outside, Way::none, gap + out,
+       log_sum(sum(nominal.log_by_amplitude, priors.log_amplitude_outside)), 1}};
+  for (std::size_t i = 0; i < findings.hypotheses.size(); ++i) {
+    const Hypothesis& one = findings.hypotheses[i];
+    const auto add = [&](Way::Of of, double log_share, const std::vector<double>& log_amplitude) {
+      all.push_back({of, i, gap + one.log_prior + log_share,
+                     one.log_volume + log_sum(sum(one.look.log_by_amplitude, log_amplitude)),
+                     share_of_discrepancy(one.look, log_amplitude)});
+    };
+    add(Way::Of::listed, in, priors.log_amplitude);
+    add(Way::Of::outside, out, priors.log_amplitude_outside);
+  }
+  return all;
+}
+
+/// Logarithms of probabilities, where the evidence counts to a power.
+std::vector<double> log_weights(const std::vector<Way>& all, double temper) {
+  std::vector<double> weight;
+  for (const Way& one : all) weight.push_back(one.log_prior + temper * one.log_evidence);
+  const double whole = log_sum(weight);
+  for (double& one : weight) one -= whole;
+  return weight;
+}
+
+}  // namespace
+
+Posterior posterior(const Findings& findings) {
+  const std::vector<Way> all = ways(findings), gaps(all.begin() + 1, all.end());
+  Posterior result;
+  result.no_gap = std::exp(log_weights(all, 1).front());
+  const std::vector<double> plain = log_weights(gaps, 1);
+  double discrepancy = 0;
+  for (std::size_t i = 0; i < gaps.size(); ++i) discrepancy += std::exp(plain[i]) * gaps[i].discrepancy;
+  result.temper = 1 - discrepancy * (1 - diagnose::priors::temper);
+  const std::vector<double> weight = log_weights(gaps, result.temper);
+  double most = 0;
+  for (std::size_t i = 0; i < gaps.size(); ++i) {
+    const double p = (1 - result.no_gap) * std::exp(weight[i]);
+    if (gaps[i].of == Way::Of::outside) result.outside += p;
+    if (gaps[i].hypothesis == Way::none) continue;
+    const std::vector<std::string> labels = labels_of(findings.hypotheses[gaps[i].hypothesis].candidate);
+    for (const std::string& label : labels) result.effects[label] += p;
+    if (p > most) most = p, result.leading = gaps[i].hypothesis;
+    if (gaps[i].of == Way::Of::listed)
+      result.causes.push_back({labels, std::min(1.0, p), gaps[i].hypothesis});
+  }
+  std::stable_sort(result.causes.begin(), result.causes.end(),
+                   [](const auto& a, const auto& b) { return a.probability > b.probability; });
+  if (!result.causes.empty()) {
+    const Hypothesis& first = findings.hypotheses[result.causes.front().hypothesis];
+    result.leaves_nothing =
+        share_of_discrepancy(first.look, findings.likelihood->priors().log_amplitude) < 0.5;
+  }
+  return result;
+}
+
+}  // namespace plumbline::motion

@@ -1,0 +1,95 @@
+#include "diagnose/motion/likelihood.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <plumbline/base/parallel.hpp>
+
+#include "diagnose/log_sum.hpp"
+
+namespace plumbline::motion {
+namespace {
+
+/// Degrees of freedom of a segment's scale, whose logarithm is thus known to about a ninth. Fewer let a fit
+/// give up the segments that it does not reach.
+constexpr double freedom = 40;
+/// Times of correlation, s; equally probable. The longest is a quarter of a segment: what varies more slowly
+/// is an offset of the segment, which belongs to the zero of the joint.
+constexpr std::array correlations{0.06, 0.17, 0.5};
+
+Eigen::MatrixXd covariance(const SegmentMeans& left, const Cell& cell) {
+  const Eigen::Index n = left.time.size();
+  Eigen::MatrixXd c = left.initial * left.initial.transpose();
+  c.diagonal() += left.variance;
+  if (cell.amplitude == 0) return c;
+  for (Eigen::Index i = 0; i < n; ++i)
+    for (Eigen::Index j = 0; j < n; ++j)
+      c(i, j) += cell.amplitude * cell.amplitude *
+                 std::exp(-std::abs(left.time(i) - left.time(j)) / cell.correlation);
+  return c;
+}
+
+/// Of one segment, whose columns are whitened.
+struct Whitened {
+  Eigen::MatrixXd columns;  ///< residual, then slopes where they are wanted
+  double log_det;
+  [[nodiscard]] double square() const { return columns.col(0).squaredNorm(); }
+  [[nodiscard]] double log_density() const {
+    const auto n = static_cast<double>(columns.rows());
+    return std::lgamma((freedom + n) / 2) - std::lgamma(freedom / 2) -
+           n / 2 * std::log(freedom * std::numbers::pi) - log_det / 2 -
+           (freedom + n) / 2 * std::log1p(square() / freedom);
+  }
+};
+
+Whitened whitened(const SegmentMeans& left, const Cell& cell, bool with_slopes) {
+  const Eigen::LLT<Eigen::MatrixXd> factor(covariance(left, cell));
+  Eigen::MatrixXd columns(left.time.size(), with_slopes ? 1 + left.slopes.cols() : 1);
+  columns.col(0) = left.residual;
+  if (with_slopes) columns.rightCols(left.slopes.cols()) = left.slopes;
+  factor.matrixL().solveInPlace(columns);
+  return {columns, 2 * factor.matrixLLT().diagonal().array().log().sum()};
+}
+
+}  // namespace
+
+Slope Likelihood::slope(const std::vector<SegmentMeans>& left, const Cell& cell) const {
+  const Eigen::Index parameters = left.front().slopes.cols();
+  Slope sum{0, Eigen::VectorXd::Zero(parameters), Eigen::MatrixXd::Zero(parameters, parameters)};
+  for (const SegmentMeans& one : left) {
+    const Whitened white = whitened(one, cell, true);
+    const double weight = (freedom + static_cast<double>(one.time.size())) / (freedom + white.square());
+    const auto slopes = white.columns.rightCols(parameters);
+    sum.log_likelihood += white.log_density();
+    sum.gradient += weight * slopes.transpose() * white.columns.col(0);
+    sum.information += weight * slopes.transpose() * slopes;
+  }
+  return sum;
+}
+
+Look Likelihood::look(const std::vector<SegmentMeans>& left) const {
+  const std::size_t sizes = priors_.amplitude.size();
+  std::vector<std::array<double, correlations.size()>> by_cell(sizes);
+  in_parallel(sizes, available_threads(), [&](std::size_t a) {
+    for (std::size_t c = 0; c < correlations.size(); ++c) {
+      by_cell[a][c] = 0;
+      const Cell cell{unit_ * priors_.amplitude[a], correlations[c]};
+      for (const SegmentMeans& one : left) by_cell[a][c] += whitened(one, cell, false).log_density();
+    }
+  });
+  Look look{{}, {0, correlations[0]}, 0};
+  double best = -std::numeric_limits<double>::infinity();
+  for (std::size_t a = 0; a < sizes; ++a) {
+    look.log_by_amplitude.push_back(
+        diagnose::log_sum(std::vector<double>(by_cell[a].begin(), by_cell[a].end())) -
+        std::log(static_cast<double>(correlations.size())));
+    for (std::size_t c = 0; c < correlations.size(); ++c)
+      if (const double here = by_cell[a][c] + priors_.log_amplitude[a]; here > best)
+        best = here, look.best = {unit_ * priors_.amplitude[a], correlations[c]};
+  }
+  look.log_likelihood = diagnose::log_sum(diagnose::sum(look.log_by_amplitude, priors_.log_amplitude));
+  return look;
+}
+
+}  // namespace plumbline::motion

@@ -1,0 +1,52 @@
+#pragma once
+/// \file
+/// The likelihood of what a model leaves of the segments.
+///
+///   residual = initial state + delta + noise,  delta ~ N(0, A^2 exp(-|t - t'| / tau))
+///
+/// The initial state and delta are summed out. Each segment has a scale of its own, which is known within a
+/// factor: Student's distribution of many values. So logs that repeat badly count for less.
+
+#include "diagnose/inference/hyperpriors.hpp"
+#include "diagnose/motion/bench.hpp"
+
+namespace plumbline::motion {
+
+/// Size of the discrepancy, rad, and its time of correlation, s.
+struct Cell {
+  double amplitude, correlation;
+};
+
+/// What the likelihood says in one cell.
+struct Slope {
+  double log_likelihood = 0;
+  Eigen::VectorXd gradient;     ///< by the parameters
+  Eigen::MatrixXd information;  ///< Gauss and Newton's
+};
+
+/// What it says in all.
+struct Look {
+  std::vector<double> log_by_amplitude;  ///< in the order of Hyperpriors::amplitude
+  Cell best;                             ///< beside a cause of the catalogue
+  double log_likelihood = 0;             ///< the same, all cells summed
+};
+
+class Likelihood {
+ public:
+  /// \param unit     of the sizes of the discrepancy: what the nominal model leaves, root mean square, rad
+  /// \param outside  what a cause outside of the catalogue typically changes, rad
+  Likelihood(double unit, double outside) : unit_(unit), priors_(diagnose::full_model()) {
+    priors_.set_outside(outside / unit);
+  }
+
+  [[nodiscard]] const diagnose::Hyperpriors& priors() const { return priors_; }
+  [[nodiscard]] double unit() const { return unit_; }
+  [[nodiscard]] Slope slope(const std::vector<SegmentMeans>& left, const Cell& cell) const;
+  [[nodiscard]] Look look(const std::vector<SegmentMeans>& left) const;
+
+ private:
+  double unit_;
+  diagnose::Hyperpriors priors_;
+};
+
+}  // namespace plumbline::motion

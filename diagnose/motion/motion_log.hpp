@@ -1,0 +1,39 @@
+#pragma once
+/// \file
+/// Logs of a joint in motion, as they were read.
+
+#include <string>
+#include <vector>
+
+namespace plumbline::motion {
+
+/// One log. SI units, radians; all lists are as long as `time`.
+struct MotionLog {
+  std::string name;
+  std::vector<double> time;      ///< s, ascending
+  std::vector<double> command;   ///< rad, held from its stamp to the next
+  std::vector<double> position;  ///< rad
+  std::vector<double> supply;    ///< V; one where none is read
+  std::vector<bool> powered;
+  double gain = 0;     ///< of the servo: duty per rad of error
+  double inertia = 0;  ///< of the load about the joint, kg m^2
+  double gravity = 0;  ///< moment of the load's weight where it is horizontal, N m
+};
+
+/// A stretch of a log that is predicted from an initial state of its own.
+struct Segment {
+  std::size_t log;
+  std::size_t first, end;  ///< readings
+};
+
+/// Angle and speed at a reading, from a parabola through its neighbours.
+struct InitialState {
+  double q, v;
+};
+
+InitialState initial_state(const MotionLog& log, std::size_t reading);
+
+/// Segments of about this duration, s.
+std::vector<Segment> segments_of(const std::vector<MotionLog>& logs, double duration);
+
+}  // namespace plumbline::motion

@@ -1,0 +1,193 @@
+#include "diagnose/motion/read_bench.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <plumbline/base/error.hpp>
+#include <set>
+
+#include "diagnose/bench/section.hpp"
+#include "diagnose/motion/log_look.hpp"
+#include "diagnose/motion/log_table.hpp"
+#include "support/files/text_file.hpp"
+
+namespace plumbline::motion {
+namespace {
+
+using diagnose::Section;
+
+constexpr double gravity = 9.81;  // m/s^2
+
+/// A row of the index: of a log, the entries by column.
+struct IndexRow {
+  std::string file, place;
+  const LogTable* table = nullptr;  ///< null where there is no index
+  std::size_t row = 0;
+
+  [[nodiscard]] std::string entry(const std::string& column, const std::string& key) const {
+    if (table == nullptr)
+      throw Error(key, "the name of a column, '" + column + "', without logs.index", "a number");
+    return table->entry(row, table->column(column, key));
+  }
+};
+
+/// A number, or the column of the index that has it for each log.
+double value_of(const Section& section, const std::string& key, const IndexRow& row, double otherwise) {
+  if (!section.has(key)) return otherwise;
+  if (!section.node(key).is_string()) return section.number(key, "a number, or a column of the index");
+  const std::string column = section.text(key, "a number, or a column of the index");
+  return number_in(row.entry(column, section.place(key)), row.place + ", column " + column);
+}
+
+/// Whether a log has one of the entries that the table `key` lists for each of its columns.
+bool is_chosen(const Section& logs, const std::string& key, const IndexRow& row) {
+  const Section wanted = logs.table(key);
+  const std::vector<std::string> columns = wanted.keys();
+  return std::all_of(columns.begin(), columns.end(), [&](const std::string& column) {
+    const std::string entry = row.entry(column, wanted.place(column));
+    if (wanted.node(column).is_array() && wanted.node(column).as_array()->is_homogeneous<std::string>()) {
+      const std::vector<std::string> words = wanted.texts(column, "texts, or numbers");
+      return std::find(words.begin(), words.end(), entry) != words.end();
+    }
+    const std::vector<double> numbers = wanted.numbers(column, 0);
+    return std::find(numbers.begin(), numbers.end(), number_in(entry, row.place + ", column " + column)) !=
+           numbers.end();
+  });
+}
+
+void read_load(const Section& load, const IndexRow& row, MotionLog& log) {
+  const double mass = value_of(load, "mass", row, 0), length = value_of(load, "length", row, 0),
+               rod = value_of(load, "rod_mass", row, 0);
+  log.inertia = value_of(load, "inertia", row, 0) + (mass + rod / 3) * length * length;
+  log.gravity = value_of(load, "gravity_moment", row, 0) + gravity * (mass + rod / 2) * length;
+  if (!(log.inertia > 0))
+    throw Error(load.where() + ": load", fmt::format("an inertia of {:g} kg m^2", log.inertia),
+                "mass and length, or inertia, so that it is positive");
+}
+
+/// Columns of a log by what they hold.
+struct Columns {
+  std::string t, command, position, supply, powered;
+
+  explicit Columns(const Section& section) {
+    section.allow_only({"t", "command", "position", "supply", "powered"});
+    const auto named = [&](const char* key) {
+      return section.has(key) ? section.text(key, "the name of a column") : std::string(key);
+    };
+    t = named("t"), command = named("command"), position = named("position");
+    if (section.has("supply")) supply = named("supply");
+    if (section.has("powered")) powered = named("powered");
+  }
+};
+
+MotionLog read_log(const std::filesystem::path& folder, const IndexRow& row, const Columns& columns,
+                   double supply) {
+  const std::filesystem::path file = folder / row.file;
+  const LogTable table(files::read_text(file), file.string());
+  MotionLog log;
+  log.name = row.file;
+  log.time = table.numbers(columns.t);
+  log.command = table.numbers(columns.command);
+  log.position = table.numbers(columns.position);
+  log.supply =
+      columns.supply.empty() ? std::vector<double>(log.time.size(), supply) : table.numbers(columns.supply);
+  log.powered.assign(log.time.size(), true);
+  if (!columns.powered.empty()) {
+    const std::vector<double> on = table.numbers(columns.powered);
+    for (std::size_t k = 0; k < on.size(); ++k) log.powered[k] = on[k] != 0;
+  }
+  return log;
+}
+
+std::vector<IndexRow> rows_of(const std::filesystem::path& folder, const Section& logs,
+                              std::optional<LogTable>& index) {
+  std::vector<IndexRow> rows;
+  if (!logs.has("index")) {
+    for (const std::string& file : logs.texts("files", "files of logs, or an index"))
+      rows.push_back({file, logs.place("files")});
+    return rows;
+  }
+  const std::filesystem::path file = folder / logs.text("index", "the file of a table, one row a log");
+  index.emplace(files::read_text(file), file.string());
+  const std::string name = logs.has("file") ? logs.text("file", "a column of the index") : "file";
+  const std::size_t column = index->column(name, logs.place("file"));
+  for (std::size_t i = 0; i < index->rows(); ++i)
+    rows.push_back({index->entry(i, column), index->place(i), &*index, i});
+  return rows;
+}
+
+void require_inside(const std::filesystem::path& file, const std::string& place) {
+  const std::filesystem::path plain = file.lexically_normal();
+  if (plain.empty() || plain.is_absolute() || *plain.begin() == "..")
+    throw Error(place, file.string(), "a file in the folder of the experiment");
+}
+
+/// The stated numbers of the drive, and those that are unknown.
+void read_drive(const Section& drive, Bench& bench) {
+  const std::vector<Stated> numbers = stated_numbers(Sizes(bench.logs));
+  std::set<std::string> known;
+  for (const Stated& one : numbers) known.insert(std::string(one.id));
+  drive.allow_only(known);
+  for (const Stated& one : numbers) {
+    const std::string key(one.id), expected = "a number in " + std::string(one.unit) + ", or \"unknown\"";
+    if (!drive.has(key)) continue;
+    if (drive.node(key).is_string()) {
+      static_cast<void>(drive.one_of(key, {"unknown"}));
+      bench.unknown.push_back(one.term);
+      continue;
+    }
+    bench.nominal[one.term] = drive.number(key, expected);
+    if (!one.signed_ && bench.nominal[one.term] < 0) drive.refuse(key, expected + ", not negative");
+  }
+  if (!drive.has("stall_torque"))
+    throw Error(drive.place("stall_torque"), "none",
+                "the torque at full duty over the supply, N m/V, or \"unknown\"");
+}
+
+}  // namespace
+
+bool is_motion(const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / "experiment.toml";
+  const toml::table table = files::parse_toml(files::read_text(file), file.string());
+  return table["format"].value<std::string>() == "motion/1";
+}
+
+Bench read_bench(const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / "experiment.toml";
+  const toml::table table = files::parse_toml(files::read_text(file), file.string());
+  const Section all(table, file.string());
+  all.allow_only({"format", "name", "logs", "columns", "servo", "load", "drive", "noise"});
+  const Section logs = all.table("logs"), servo = all.table("servo"), load = all.table("load"),
+                noise = all.table("noise");
+  logs.allow_only({"files", "index", "file", "fit", "held_out"});
+  servo.allow_only({"gain", "duty_per_error", "supply"});
+  load.allow_only({"mass", "length", "rod_mass", "inertia", "gravity_moment"});
+  noise.allow_only({"position"});
+  const Columns columns(all.table_or_empty("columns"));
+
+  Bench bench;
+  bench.name = all.name("name", "a name");
+  bench.sigma = noise.number("position", "the standard deviation of a reading of position, rad");
+  if (!(bench.sigma > 0)) noise.refuse("position", "a positive number, rad");
+  std::optional<LogTable> index;
+  for (const IndexRow& row : rows_of(folder, logs, index)) {
+    const bool held_out = logs.has("held_out") && is_chosen(logs, "held_out", row);
+    if (!held_out && logs.has("fit") && !is_chosen(logs, "fit", row)) continue;
+    require_inside(row.file, row.place);
+    MotionLog log = read_log(folder, row, columns, value_of(servo, "supply", row, 1));
+    log.gain = value_of(servo, "gain", row, 1) * value_of(servo, "duty_per_error", row, 1);
+    if (!(log.gain > 0))
+      throw Error(row.place, fmt::format("a gain of {:g}", log.gain), "a positive one, duty per rad");
+    read_load(load, row, log);
+    require_judgeable(log);
+    (held_out ? bench.held_out : bench.logs).push_back(std::move(log));
+  }
+  if (bench.logs.empty()) throw Error(logs.where() + ": logs", "no log to fit to", "one at least");
+  read_drive(all.table("drive"), bench);
+  return bench;
+}
+
+}  // namespace plumbline::motion

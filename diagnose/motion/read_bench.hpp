@@ -1,0 +1,18 @@
+#pragma once
+/// \file
+/// Reads an experiment of motion: experiment.toml, the table of its logs, and the logs.
+
+#include <filesystem>
+
+#include "diagnose/motion/bench.hpp"
+
+namespace plumbline::motion {
+
+/// Whether experiment.toml in this folder is of the format "motion/1".
+bool is_motion(const std::filesystem::path& folder);
+
+/// Reads format "motion/1" (docs/motion.md).
+/// \throws Error, one line with the file, the line or key, what was found and what was expected
+Bench read_bench(const std::filesystem::path& folder);
+
+}  // namespace plumbline::motion

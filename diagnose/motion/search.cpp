@@ -1,0 +1,150 @@
+#include "diagnose/motion/search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <plumbline/base/error.hpp>
+#include <set>
+
+#include "diagnose/priors.hpp"
+
+namespace plumbline::motion {
+namespace {
+
+/// Hypotheses of each size beside which a further row is looked for, and the rows beside each of them whose
+/// forecasts are fitted: more costs time alone.
+constexpr std::size_t seeds = 4, fitted_beside = 7;
+
+bool more_evidence(const Hypothesis& a, const Hypothesis& b) {
+  return a.log_evidence() > b.log_evidence();
+}
+
+/// A likelihood in whose sizes the whole motion is the unit: for fits from far away.
+Likelihood far_likelihood(const Study& study) {
+  return Likelihood(study.sizes().angle, study.sizes().angle);
+}
+
+/// The nominal model from several sizes of its unknown numbers.
+Hypothesis nominal_fit(const Study& study, const Likelihood& likelihood) {
+  Hypothesis best;
+  for (const double factor : {0.1, 0.3, 1.0, 3.0}) {
+    std::vector<double> start;
+    for (const Parameter& one : study.parameters({})) start.push_back(factor * one.guess);
+    Hypothesis one = fitted(study, likelihood, {}, start);
+    if (best.look.log_by_amplitude.empty() || more_evidence(one, best)) best = std::move(one);
+    if (start.empty()) break;
+  }
+  if (!std::isfinite(best.look.log_likelihood))
+    throw Error("the logs", "no start from which the drive's unknown numbers follow them",
+                "commands in the unit of the position, and gains in duty per rad");
+  return best;
+}
+
+std::set<const Row*> rows_of(const Candidate& candidate) {
+  return {candidate.rows.begin(), candidate.rows.end()};
+}
+
+class Searcher {
+ public:
+  explicit Searcher(const Study& study) : study_(study) {
+    const Hypothesis rough = nominal_fit(study, far_likelihood(study));
+    const double unit = std::max(size_of(study.left(rough.parameters, rough.values)), study.bench().sigma);
+    found_.likelihood =
+        std::make_shared<Likelihood>(unit, diagnose::priors::typical_outside * study.sizes().angle);
+    found_.nominal = fitted(study, *found_.likelihood, {}, rough.values);
+  }
+
+  Findings run(const std::function<void(double)>& report) {
+    std::vector<const Hypothesis*> nominal{&found_.nominal};
+    std::vector<Hypothesis> level = extended(nominal, [&](double share) { report(0.2 * share); });
+    for (std::size_t size = 2; size <= diagnose::priors::causes.size(); ++size) {
+      std::vector<const Hypothesis*> best;
+      for (const Hypothesis& h : level)
+        if (best.size() < seeds) best.push_back(&h);
+      std::vector<Hypothesis> larger =
+          extended(best, [&](double share) { report(0.2 + 0.4 * (static_cast<double>(size) - 2 + share)); });
+      keep(std::move(level));
+      level = std::move(larger);
+    }
+    keep(std::move(level));
+    std::sort(found_.hypotheses.begin(), found_.hypotheses.end(), more_evidence);
+    return std::move(found_);
+  }
+
+ private:
+  void keep(std::vector<Hypothesis> level) {
+    for (Hypothesis& h : level) found_.hypotheses.push_back(std::move(h));
+  }
+
+  /// A candidate to be fitted.
+  struct Task {
+    Candidate candidate;
+    std::vector<double> start;
+    double promise = 0;
+  };
+
+  /// Each of these with one row more; most evidence first.
+  std::vector<Hypothesis> extended(const std::vector<const Hypothesis*>& from,
+                                   const std::function<void(double)>& report) {
+    std::vector<Hypothesis> level;
+    std::set<std::set<const Row*>> tried;
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      const std::vector<Task> tasks = tasks_beside(*from[i], tried);
+      for (std::size_t k = 0; k < tasks.size(); ++k) {
+        report((static_cast<double>(i) + static_cast<double>(k) / static_cast<double>(tasks.size())) /
+               static_cast<double>(from.size()));
+        Hypothesis one = fitted(study_, *found_.likelihood, tasks[k].candidate, tasks[k].start);
+        if (std::isfinite(one.log_evidence())) level.push_back(std::move(one));
+      }
+    }
+    std::sort(level.begin(), level.end(), more_evidence);
+    return level;
+  }
+
+  /// Every row beside the nominal model; the most promising ones beside a cause.
+  std::vector<Task> tasks_beside(const Hypothesis& lead, std::set<std::set<const Row*>>& tried) const {
+    std::vector<Task> tasks;
+    for (const Row& row : study_.rows()) {
+      Task task{lead.candidate, lead.values};
+      task.candidate.rows.push_back(&row);
+      for (const Parameter& one : row.parameters) task.start.push_back(one.guess);
+      if (lead.candidate.has(row) || shares_a_term(lead.candidate, row) ||
+          task.start.size() > most_parameters || tried.count(rows_of(task.candidate)) > 0)
+        continue;
+      if (!lead.candidate.rows.empty())
+        task.promise = forecast(study_, *found_.likelihood, task.candidate, task.start, lead.look.best);
+      tasks.push_back(std::move(task));
+    }
+    std::stable_sort(tasks.begin(), tasks.end(),
+                     [](const Task& a, const Task& b) { return a.promise > b.promise; });
+    if (!lead.candidate.rows.empty() && tasks.size() > fitted_beside) tasks.resize(fitted_beside);
+    for (const Task& task : tasks) tried.insert(rows_of(task.candidate));
+    return tasks;
+  }
+
+  /// Whether a row changes what another one of these changes already: then they are forms of one cause.
+  static bool shares_a_term(const Candidate& candidate, const Row& row) {
+    const auto terms_of = [](const Row& one) {
+      std::set<Term> terms;
+      for (const Parameter& p : one.parameters) terms.insert(p.terms.begin(), p.terms.end());
+      return terms;
+    };
+    const std::set<Term> own = terms_of(row);
+    return std::any_of(candidate.rows.begin(), candidate.rows.end(), [&](const Row* other) {
+      const std::set<Term> theirs = terms_of(*other);
+      return std::any_of(own.begin(), own.end(), [&](Term t) { return theirs.count(t) > 0; });
+    });
+  }
+
+  const Study& study_;
+  Findings found_;
+};
+
+}  // namespace
+
+Findings search(const Study& study, const std::function<void(double)>& progress) {
+  return Searcher(study).run([&](double share) {
+    if (progress) progress(share);
+  });
+}
+
+}  // namespace plumbline::motion

@@ -1,0 +1,78 @@
+#include "diagnose/motion/diagnosis.hpp"
+
+#include <doctest/doctest.h>
+
+#include <set>
+#include <string>
+
+#include "diagnose/motion/report.hpp"
+#include "tests/diagnose/motion/logs.hpp"
+
+namespace plumbline::motion {
+namespace {
+
+/// A bench whose model states the drive of the tests, but for what is planted.
+Study study_of(Term term, double value) {
+  Bench bench;
+  bench.name = "planted";
+  bench.nominal = planted_drive(Term::command_delay, 0);
+  bench.sigma = 5e-4;
+  unsigned seed = 1;
+  for (const double gain : {4.0, 8.0, 16.0})
+    bench.logs.push_back(test_log(planted_drive(term, value), gain, bench.sigma, seed++));
+  bench.held_out.push_back(test_log(planted_drive(term, value), 6, bench.sigma, seed));
+  return Study(bench);
+}
+
+}  // namespace
+
+TEST_SUITE_BEGIN("long");
+
+TEST_CASE("what is planted is named, and its size lies in the interval or within a fiftieth") {
+  const struct {
+    Term term;
+    double value;
+    const char* id;
+  } planted[] = {{Term::command_delay, 0.03, "command_delay"},
+                 {Term::load_mass, 0.2, "load_mass"},
+                 {Term::dry, 0.05, "joint_friction"},
+                 {Term::armature, 0.004, "armature"},
+                 {Term::duty_missing, 0.7, "duty_limit"}};
+  for (const auto& [term, value, id] : planted) {
+    CAPTURE(id);
+    const Diagnosis diagnosis = diagnose_motion(study_of(term, value));
+    REQUIRE(!diagnosis.causes.empty());
+    const NamedCause& first = diagnosis.causes.front();
+    INFO(as_text(diagnosis));
+    REQUIRE(first.effects.size() == 1);
+    CHECK(first.effects.front().id == id);
+    const Estimate& size = first.effects.front().values.front();
+    const double slack = value / 50;
+    CHECK(size.low <= value + slack);
+    CHECK(size.high >= value - slack);
+    CHECK(diagnosis.mean(true).after < 2 * 5e-4);  // noise alone
+  }
+}
+
+TEST_CASE(
+    "what no log tells apart is one class: back EMF and viscous friction of a drive that is never off") {
+  const Diagnosis diagnosis = diagnose_motion(study_of(Term::viscous, 0.08));
+  INFO(as_text(diagnosis));
+  CHECK(diagnosis.verdict == diagnose::CauseVerdict::ambiguous);
+  REQUIRE(diagnosis.causes.size() >= 2);
+  std::set<std::string> named;
+  for (const NamedCause& one : diagnosis.causes)
+    if (one.effects.size() == 1) named.insert(one.effects.front().id);
+  CHECK(named == std::set<std::string>{"back_emf", "viscous_friction"});
+}
+
+TEST_SUITE_END();
+
+TEST_CASE("a drive that is as stated has no gap") {
+  const Diagnosis diagnosis = diagnose_motion(study_of(Term::command_delay, 0));
+  INFO(as_text(diagnosis));
+  CHECK(diagnosis.verdict == diagnose::CauseVerdict::none);
+  CHECK(diagnosis.causes.empty());
+}
+
+}  // namespace plumbline::motion

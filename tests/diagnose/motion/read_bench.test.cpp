@@ -1,0 +1,106 @@
+#include "diagnose/motion/read_bench.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <plumbline/base/error.hpp>
+#include <string>
+
+#include "support/files/output_file.hpp"
+#include "support/files/temporary_folder.hpp"
+#include "tests/close_to.hpp"
+
+namespace plumbline::motion {
+namespace {
+
+/// A folder with one log, whose text and settings are changed.
+struct Folder {
+  files::TemporaryFolder folder;
+  std::string settings =
+      "format = \"motion/1\"\nname = \"x\"\n[logs]\nfiles = [\"a.csv\"]\n[servo]\ngain = 2\n[load]\nmass = "
+      "0.5\nlength = 0.1\n[drive]\nstall_torque = \"unknown\"\n[noise]\nposition = 1e-3\n";
+  std::string header = "t,command,position\n", rows;
+
+  Folder() {
+    for (int k = 0; k < 50; ++k)
+      rows += std::to_string(0.01 * k) + ",0.1," + std::to_string(0.1 * std::sin(0.1 * k)) + "\n";
+  }
+  void replace(const std::string& what, const std::string& with) {
+    const std::size_t at = settings.find(what);
+    REQUIRE(at != std::string::npos);
+    settings.replace(at, what.size(), with);
+  }
+  [[nodiscard]] Bench read() const {
+    files::write_text(folder.path() / "experiment.toml", settings);
+    files::write_text(folder.path() / "a.csv", header + rows);
+    return read_bench(folder.path());
+  }
+  /// The error without the folder.
+  [[nodiscard]] std::string refused() const {
+    try {
+      static_cast<void>(read());
+    } catch (const Error& error) {
+      std::string text = error.what();
+      const std::string own = folder.path().string() + "/";
+      for (std::size_t at = text.find(own); at != std::string::npos; at = text.find(own))
+        text.erase(at, own.size());
+      return text;
+    }
+    return "";
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a log alone is read in SI, and a point mass is its load") {
+  const Bench bench = Folder().read();
+  REQUIRE(bench.logs.size() == 1);
+  const MotionLog& log = bench.logs.front();
+  CHECK(log.time.size() == 50);
+  CHECK(log.inertia == close_to(0.5 * 0.01));
+  CHECK(log.gravity == close_to(0.5 * 9.81 * 0.1));
+  CHECK(log.gain == close_to(2));
+  CHECK(bench.unknown == std::vector<Term>{Term::stall_torque});
+}
+
+TEST_CASE("what cannot be a log is refused in one line") {
+  Folder back;
+  back.rows += "0.2,0.1,0.1\n";
+  CHECK(back.refused() ==
+        "a.csv, reading 51: found a clock that goes from 0.49 to 0.2 s, expected time that goes forward");
+  Folder still;
+  still.rows.clear();
+  for (int k = 0; k < 50; ++k) still.rows += std::to_string(0.01 * k) + ",0.1,0.5\n";
+  CHECK(
+      still.refused().starts_with("a.csv: found a position that never changes, expected a joint in motion"));
+  Folder saturated;
+  saturated.replace("gain = 2", "gain = 1e6");
+  CHECK(saturated.refused().starts_with("a.csv: found a drive that is saturated all along"));
+  Folder few;
+  few.rows.resize(few.rows.size() / 2);
+  few.rows.resize(few.rows.rfind('\n') + 1);
+  CHECK(few.refused().starts_with("a.csv: found 2"));
+  Folder word;
+  word.rows += "0.6,0.1,up\n";
+  CHECK(word.refused() == "a.csv:52, column position: found 'up', expected a number");
+  Folder other;
+  other.header = "t,command,angle\n";
+  CHECK(other.refused() == "a.csv:1: found no column 'position' in a.csv, expected one of t command angle");
+  Folder column;
+  column.replace("gain = 2", "gain = \"kp\"");
+  CHECK(column.refused().ends_with(
+      "servo.gain: found the name of a column, 'kp', without logs.index, expected a number"));
+  Folder outside;
+  outside.replace("a.csv", "../a.csv");
+  CHECK(outside.refused().ends_with(
+      "logs.files: found ../a.csv, expected a file in the folder of the experiment"));
+  Folder unknown;
+  unknown.replace("stall_torque", "torque");
+  CHECK(unknown.refused().find("drive.torque: found an unknown key, expected one of armature") !=
+        std::string::npos);
+  Folder load;
+  load.replace("mass = 0.5\nlength = 0.1", "mass = 0");
+  CHECK(load.refused().find("an inertia of 0 kg m^2") != std::string::npos);
+}
+
+}  // namespace plumbline::motion
