@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include <memory>
+#include <optional>
 #include <plumbline/base/error.hpp>
 
 #include "app/arguments.hpp"
@@ -11,6 +12,7 @@
 #include "app/outputs.hpp"
 #include "app/progress.hpp"
 #include "app/verbs.hpp"
+#include "diagnose/calibration/calibration_text.hpp"
 #include "diagnose/report/plan.hpp"
 #include "diagnose/report/report.hpp"
 #include "diagnose/screening/conventions.hpp"
@@ -75,19 +77,27 @@ void run_diagnosis(const DiagnoseOptions& options, const CLI::App& verb) {
   files::OutputFile *const json = outputs.open("--json", options.json), *const html = outputs.open(
                                                                             "--html", options.html);
   CorrectedFiles corrected(outputs, options.corrected);
-  const diagnose::Study study = study_of(input, experiment);
-  if (!options.as_is) require_conventions(study);
+  const diagnose::Study read = study_of(input, experiment);
+  const std::optional<diagnose::Calibration> calibration =
+      has_unknown_frames(input) ? diagnose::calibrated(read) : std::nullopt;
+  if (!options.as_is && !calibration) require_conventions(read);
+  const diagnose::Study study = calibration ? read.of(calibration->experiment) : read;
   const diagnose::Diagnosis diagnosis = with_progress(
       "diagnosis", [&](const auto& show) { return diagnose::diagnose(study, show, options.next); });
-  if (corrected.wanted()) corrected.write(exchange::corrected_models(study, diagnosis, model_file(input)));
+  if (corrected.wanted())
+    corrected.write(exchange::corrected_models(
+        calibration && !diagnosis.cause.is_explained() ? study.of(calibration->with_all()) : study, diagnosis,
+        model_file(input)));
   nlohmann::ordered_json report = as_json(diagnosis);
+  if (calibration) report["calibration"] = calibration_as_json(*calibration);
   if (corrected.wanted()) report["corrected"] = corrected.as_json();
   const page::Provenance& from = outputs.provenance();
   if (json) json->write(page::json_text(std::move(report), from));
   if (html) html->write(page::on_page(diagnose::as_html(study, diagnosis), from));
   outputs.commit();
   if (options.json == "-" || options.html == "-") return;
-  fmt::print("{}{}", as_text(diagnosis), corrected.as_text());
+  fmt::print("{}{}{}", as_text(diagnosis), calibration ? "\n" + calibration_as_text(*calibration) : "",
+             corrected.as_text());
   if (options.next && diagnosis.proposals.empty()) fmt::print("\n{}", nothing_next(diagnosis));
 }
 
