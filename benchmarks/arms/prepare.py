@@ -10,7 +10,7 @@ stored here. OUT gets a folder for each, for `plumbline diagnose`: frames are un
 import csv
 import math
 import pathlib
-import shutil
+import re
 import sys
 
 
@@ -33,14 +33,14 @@ def rotation_vector(roll, pitch, yaw):
 
 
 class Experiment:
-    def __init__(self, name, model, base, tip, points, place, turn=None, settings=""):
+    def __init__(self, name, model, base, tip, points, place, turn=None, edit=lambda text: text):
         self.name, self.model, self.base, self.tip, self.points = name, model, base, tip, points
-        self.place, self.turn, self.settings, self.table = place, turn, settings, []
+        self.place, self.turn, self.edit, self.table = place, turn, edit, []
 
     def write(self, out):
         folder = out / self.name
         folder.mkdir(parents=True, exist_ok=True)
-        shutil.copy(self.model, folder / "arm.urdf")
+        (folder / "arm.urdf").write_text(self.edit(self.model.read_text()))
         with open(folder / "poses.csv", "w", newline="") as file:
             writer = csv.DictWriter(file, self.table[0].keys())
             writer.writeheader()
@@ -50,7 +50,7 @@ class Experiment:
         (folder / "experiment.toml").write_text(
             f'format = "chain-experiment/1"\nname = "{self.name}"\n[arm]\nmodel = "arm.urdf"\n'
             f'base = "{self.base}"\ntip = "{self.tip}"\nframes = "unknown"\n{points}[noise]\nplace = {self.place}\n{turn}'
-            f'{self.settings}[[run]]\nid = "poses"\nsamples = "poses.csv"\n'
+            f'[[run]]\nid = "poses"\nsamples = "poses.csv"\n'
         )
 
 
@@ -91,8 +91,15 @@ def talos(data):
     return own
 
 
+def with_one_column(urdf):
+    """Both stages of the column follow one joint, whose tip is theirs: the mount hangs on it."""
+    mount = r'(<joint name="column_tip_to_tip_mount".*?<parent link=")column_tip(")'
+    return re.sub(mount, r"\1column_pseudo_tip\2", urdf, flags=re.S)
+
+
 def hilti(data, name):
-    own = Experiment(f"hilti-{name}", data / "hilti/trailblazer.urdf", "column_base", "tool_link", ["prism"], 7.5e-4)
+    model = data / "hilti/trailblazer.urdf"
+    own = Experiment(f"hilti-{name}", model, "column_base", "tool_link", ["prism"], 7.5e-4, edit=with_one_column)
     for row in rows(data / f"hilti/{name}.csv"):
         one = {f"q_command{j}": row[f"q{j}"] for j in range(1, 8)}
         own.table.append(one | {f"prism_{axis}": row[f"prism_{axis}"] for axis in "xyz"})

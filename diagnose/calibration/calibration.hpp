@@ -10,7 +10,7 @@ namespace plumbline::diagnose {
 
 /// How large one kind of error is over all joints.
 struct LearnedSize {
-  EffectAt effect;  ///< at the first joint that has it
+  EffectAt effect;  ///< at the last joint that has it
   double size;      ///< standard deviation, in the unit of its parameters
   std::string_view unit;
 };

@@ -109,8 +109,9 @@ NominalEffect EffectColumns::effect(std::size_t group, const Eigen::VectorXd& co
 }
 
 LearnedSize EffectColumns::size_of(std::size_t group, double size) const {
-  const Parameter& first = parameters[static_cast<std::size_t>(groups[group].first)];
-  return {first.at, size * first.range.scale, first.range.unit};
+  // Arms slide at their base, where they slide at all: the last joint turns.
+  const Parameter& last = parameters[static_cast<std::size_t>(groups[group].first + groups[group].count - 1)];
+  return {last.at, size * last.range.scale, last.range.unit};
 }
 
 EffectColumns random_columns(const Study& study) {

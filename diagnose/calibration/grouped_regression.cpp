@@ -12,10 +12,8 @@
 namespace plumbline::diagnose {
 namespace {
 
-/// Half-Cauchy density of a size over the typical one.
-double log_density_of_size(double size) {
-  return std::log(2 / std::numbers::pi) - std::log1p(size * size);
-}
+/// Sizes over the typical one; every order of magnitude between is as probable.
+constexpr double smallest = 1e-4, largest = 10;
 
 }  // namespace
 
@@ -52,7 +50,6 @@ GroupedFit GroupedRegression::tied(const std::vector<std::size_t>& groups, doubl
 }
 
 GroupedFit GroupedRegression::iterated(GroupedFit fit, int iterations) const {
-  constexpr double smallest = 1e-4;  // of the typical size
   const std::vector<Eigen::Index> columns = columns_of(fit.groups);
   const Eigen::MatrixXd gram = gram_(columns, columns);
   const Eigen::VectorXd product = product_(columns);
@@ -97,8 +94,8 @@ GroupedFit GroupedRegression::iterated(GroupedFit fit, int iterations) const {
       log_scale_prior(std::log(fit.noise));
   for (std::size_t g = 0; g < fit.groups.size(); ++g)  // by Laplace's method over the logarithm of the size
     if (fit.size[g] > smallest)
-      fit.log_evidence += log_density_of_size(fit.size[g]) + std::log(fit.size[g]) +
-                          0.5 * std::log(std::numbers::pi / std::max(1.0, determined[g]));
+      fit.log_evidence += 0.5 * std::log(std::numbers::pi / std::max(1.0, determined[g])) -
+                          std::log(std::log(largest / smallest));
   return fit;
 }
 
