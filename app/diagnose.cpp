@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <plumbline/base/error.hpp>
@@ -17,6 +18,8 @@
 #include "diagnose/report/report.hpp"
 #include "diagnose/screening/conventions.hpp"
 #include "support/files/experiment_files.hpp"
+#include "support/files/text_file.hpp"
+#include "support/files/toml_file.hpp"
 
 namespace plumbline::app {
 namespace {
@@ -68,6 +71,14 @@ const char* nothing_next(const diagnose::Diagnosis& diagnosis) {
     return "What next?  No gap to explain; --plan says which effects the bench can show\n";
   if (diagnosis.cause.ranking.size() < 2) return "What next?  Only one explanation is left\n";
   return "What next?  No feasible run distinguishes the explanations\n";
+}
+
+/// Whether nothing is known of where the tracker stands, and where its points sit on the arm.
+bool has_unknown_frames(const ExperimentInput& input) {
+  if (input.folder.empty()) return false;
+  const std::string settings = (std::filesystem::path(input.folder) / "experiment.toml").string();
+  const toml::table table = files::parse_toml(files::read_text(settings), settings);
+  return table["arm"]["frames"].value<std::string>() == "unknown";
 }
 
 void run_diagnosis(const DiagnoseOptions& options, const CLI::App& verb) {

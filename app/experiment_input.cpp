@@ -28,14 +28,6 @@ std::optional<diagnose::NominalChain> model_of(const ExperimentInput& input) {
   return exchange::read_model(input.model).chain;
 }
 
-/// The table [arm] of experiment.toml; empty where it has none.
-toml::table arm_settings(const ExperimentInput& input) {
-  const std::filesystem::path settings = std::filesystem::path(input.folder) / "experiment.toml";
-  const toml::table table = files::parse_toml(files::read_text(settings), settings.string());
-  const toml::table* const arm = table["arm"].as_table();
-  return arm ? *arm : toml::table();
-}
-
 }  // namespace
 
 std::vector<std::filesystem::path> ExperimentInput::files() const {
@@ -62,12 +54,10 @@ diagnose::Experiment bench_of(const ExperimentInput& input) {
 
 std::filesystem::path model_file(const ExperimentInput& input) {
   if (!input.model.empty() || input.folder.empty()) return input.model;
-  const auto file = arm_settings(input)["model"].value<std::string>();
-  return file ? std::filesystem::path(input.folder) / *file : std::filesystem::path();
-}
-
-bool has_unknown_frames(const ExperimentInput& input) {
-  return !input.folder.empty() && arm_settings(input)["frames"].value<std::string>() == "unknown";
+  const std::filesystem::path folder = input.folder, settings = folder / "experiment.toml";
+  const toml::table table = files::parse_toml(files::read_text(settings), settings.string());
+  const auto file = table["arm"]["model"].value<std::string>();
+  return file ? folder / *file : std::filesystem::path();
 }
 
 diagnose::Study study_of(const ExperimentInput& input, const diagnose::Experiment& experiment) {

@@ -27,9 +27,6 @@ diagnose::Experiment bench_of(const ExperimentInput& input);
 /// where there is none.
 std::filesystem::path model_file(const ExperimentInput& input);
 
-/// Whether nothing is known of where the tracker stands, and where its points sit on the arm.
-bool has_unknown_frames(const ExperimentInput& input);
-
 /// The decimated experiment or bench, with the user's effects among the candidates.
 /// \throws Error where one of them is undefined along the nominal model's runs
 diagnose::Study study_of(const ExperimentInput& input, const diagnose::Experiment& experiment);
