@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <plumbline/base/error.hpp>
+#include <vector>
 
 #include "app/arguments.hpp"
 #include "app/corrected_files.hpp"
@@ -81,6 +82,21 @@ bool has_unknown_frames(const ExperimentInput& input) {
   return table["arm"]["frames"].value<std::string>() == "unknown";
 }
 
+/// The models with what was found; of a calibrated arm with its calibration too, whether a cause is named or
+/// not.
+std::vector<exchange::Corrected> corrected_by(const diagnose::Study& study,
+                                              const diagnose::Diagnosis& diagnosis,
+                                              const std::optional<diagnose::Calibration>& calibration,
+                                              const std::filesystem::path& source) {
+  if (!calibration) return exchange::corrected_models(study, diagnosis, source);
+  const bool named = diagnosis.cause.is_explained();
+  std::vector<exchange::Corrected> models =
+      exchange::corrected_models(named ? study : study.of(calibration->with_all()), diagnosis, source);
+  for (exchange::Corrected& one : models)
+    one.model.title += " The nominal model is the calibrated one: every joint is corrected.";
+  return models;
+}
+
 void run_diagnosis(const DiagnoseOptions& options, const CLI::App& verb) {
   const ExperimentInput input = options.input();
   const diagnose::Experiment experiment = experiment_of(input);
@@ -95,10 +111,7 @@ void run_diagnosis(const DiagnoseOptions& options, const CLI::App& verb) {
   const diagnose::Study study = calibration ? read.of(calibration->experiment) : read;
   const diagnose::Diagnosis diagnosis = with_progress(
       "diagnosis", [&](const auto& show) { return diagnose::diagnose(study, show, options.next); });
-  if (corrected.wanted())
-    corrected.write(exchange::corrected_models(
-        calibration && !diagnosis.cause.is_explained() ? study.of(calibration->with_all()) : study, diagnosis,
-        model_file(input)));
+  if (corrected.wanted()) corrected.write(corrected_by(study, diagnosis, calibration, model_file(input)));
   nlohmann::ordered_json report = as_json(diagnosis);
   if (calibration) report["calibration"] = calibration_as_json(*calibration);
   if (corrected.wanted()) report["corrected"] = corrected.as_json();
