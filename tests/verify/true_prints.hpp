@@ -68,6 +68,10 @@ inline std::vector<Survivor> survivors() {
       {"four-unknowns", "order", "", "unknowns in another order"},
       {"fig-7-shapes", "order", "", "shapes in another order"},
       {"eq-29", "order", "", "terms of a sum in another order"},
+      {"table-3-signs", "order", "", "rows in another order"},
+      {"table-3-stability", "order", "", "rows in another order"},
+      {"fig-16-shapes", "order", "", "rows in another order"},
+      {"fig-16-prefers", "order", "", "rows in another order"},
   };
   for (const char* angle : {"-0.3178", "0.0559", "0.0557", "0.3805", "0.3803", "0.3525", "0.3523"})
     list.push_back({"table-1-u", "digit", angle, rounding});

@@ -57,20 +57,21 @@ Judgement generic::modes(const Parameters& with, const Printed& printed, const P
       turned = printed[i].starts_with('-') == certainly_positive(of_mode(with, all, of[i]));
   }
   std::vector<Interval> computed;
-  std::vector<std::string> values;
+  std::vector<std::string> names, values;
   for (const std::string& name : of) {
     const Interval number = of_mode(with, all, name);
     computed.push_back(turned && of_vector(name) ? -number : number);
+    names.push_back(with_index(name));
     values.push_back(certified_decimal(computed.back(), digits));
   }
   Judgement result = judge_decimals(
-      printed, computed, of,
+      printed, computed, names,
       "counts of critical forces by exact recursion bound each F to 60 digits; the rest of the "
       "mode from it in intervals");
   result.value = fmt::format("{}", fmt::join(values, "; "));
   result.subject = in_words(chain);
   for (std::size_t i = 0; i < of.size() && result.verdict == Verdict::confirmed; ++i)
-    result.statement += fmt::format("{} {} = {}", i == 0 ? "has" : ",", with_index(of[i]), printed[i]);
+    result.statement += fmt::format("{} {} = {}", i == 0 ? "has" : ",", names[i], printed[i]);
   return result;
 }
 
