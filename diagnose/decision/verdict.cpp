@@ -22,6 +22,27 @@ std::string verdict_word(CauseVerdict verdict) {
   return "unknown";
 }
 
+namespace {
+
+/// Loss of a cause that is not named where one alone is, over that of naming one more.
+constexpr double wrong_alone = 1.5 * priors::wrong_over_further_name;
+
+/// A cause in the catalogue, or one outside of it, that is named beside the only one where that costs less:
+/// many causes, none of them worth naming by itself, can be as probable together as one that is.
+void name_another(const Posterior& posterior, Verdict& verdict) {
+  double others = posterior.outside;
+  for (std::size_t i = 1; i < posterior.causes.size(); ++i) others += posterior.causes[i].probability;
+  const double next_listed = posterior.causes.size() > 1 ? posterior.causes[1].probability : 0,
+               next = std::max(posterior.outside, next_listed);
+  if (wrong_alone * others <= 1 + priors::wrong_over_further_name * (others - next)) return;
+  if (next_listed > posterior.outside)
+    ++verdict.named;
+  else
+    verdict.or_outside = true;
+}
+
+}  // namespace
+
 Verdict decide(const Posterior& posterior) {
   if (posterior.no_gap > 0.5) return {};
   constexpr double ratio = 1 / priors::wrong_over_further_name;
@@ -33,12 +54,12 @@ Verdict decide(const Posterior& posterior) {
   if (outside_leads && (listed < ratio || !posterior.leaves_nothing)) return verdict;
   verdict.too_few_readings = outside_leads;
   const double worth_naming = ratio * (outside_leads ? listed : 1);
-  const std::size_t others = verdict.or_outside ? 1 : 0;
+  const auto names = [&] { return verdict.named + (verdict.or_outside ? 1 : 0); };
   for (const CauseProbability& one : posterior.causes)
-    if (verdict.named == 0 ||
-        (one.probability >= worth_naming && verdict.named + others < priors::largest_class))
+    if (verdict.named == 0 || (one.probability >= worth_naming && names() < priors::largest_class))
       ++verdict.named;
-  verdict.verdict = verdict.named + others > 1 ? CauseVerdict::ambiguous : CauseVerdict::identified;
+  if (names() == 1) name_another(posterior, verdict);
+  verdict.verdict = names() > 1 ? CauseVerdict::ambiguous : CauseVerdict::identified;
   return verdict;
 }
 

@@ -47,7 +47,7 @@ bool same(const Candidate& a, const Candidate& b) {
 struct Task {
   Candidate candidate;
   InitialGuesses starts;
-  double cost = 0;  ///< forecast of the squares that it leaves
+  double promise = 0;  ///< forecast of the logarithm of its evidence, at most
 };
 
 class Searcher {
@@ -75,6 +75,7 @@ class Searcher {
     fit_other_orders();
     report(0.9);
     settle();
+    simplify();
     drop_idle();
     report(1);
     return std::move(found_);
@@ -106,14 +107,6 @@ class Searcher {
       if (shape.outlier[i]) weight_(static_cast<Eigen::Index>(i)) = 0;
   }
 
-  /// Whether there are three readings for each parameter; those with Gaussian priors count as one.
-  [[nodiscard]] bool affordable(const Candidate& candidate) const {
-    constexpr std::size_t most = 60;
-    std::size_t free = 0, held = 0;
-    for (const ParameterRange& range : study_.ranges(candidate)) ++(range.tolerance > 0 ? held : free);
-    return 3 * (free + std::min<std::size_t>(held, 1)) <= study_.measurements().size() && free + held <= most;
-  }
-
   [[nodiscard]] const Hypothesis* find(const Candidate& candidate) const {
     const auto place = std::find_if(found_.hypotheses.begin(), found_.hypotheses.end(),
                                     [&](const Hypothesis& h) { return same(h.candidate, candidate); });
@@ -126,17 +119,13 @@ class Searcher {
         log_posterior(one.look.log_by_amplitude, found_.likelihood->priors().log_amplitude).front());
   }
 
-  /// Whether an effect has values at every joint: it imitates several causes at once, and does not end the
-  /// search for those.
-  static bool imitates(const Candidate& candidate) {
-    return std::any_of(candidate.effects.begin(), candidate.effects.end(),
-                       [](const EffectAt& at) { return !at.effect->within_values.empty(); });
-  }
-
-  /// Whether nothing is left beside the leading single cause.
+  /// Whether nothing is left beside the leading single cause. Values at every joint imitate several causes at
+  /// once, and do not end the search for those.
   [[nodiscard]] bool one_cause_is_enough() const {
+    const auto imitates = [](const EffectAt& at) { return !at.effect->within_values.empty(); };
     for (const Hypothesis& one : found_.hypotheses)
-      if (!imitates(one.candidate)) return nothing_left(one) > 0.9;
+      if (std::none_of(one.candidate.effects.begin(), one.candidate.effects.end(), imitates))
+        return nothing_left(one) > 0.9;
     return false;
   }
 
@@ -147,7 +136,7 @@ class Searcher {
     std::size_t done = 0;
     std::mutex one_at_a_time;
     in_parallel(tasks.size(), study_.threads(), [&](std::size_t t) {
-      if (affordable(tasks[t].candidate)) {
+      if (affordable(study_, tasks[t].candidate)) {
         fitted[t] = fitted_roughly(tasks[t], *rough_likelihood_);
         // An outlier may be what an effect does, which a fit without it does not see.
         if (all_readings_ && tasks[t].candidate.effects.size() == 1)
@@ -256,7 +245,8 @@ class Searcher {
       for (const Prospect& one : prospects[s]) {
         Candidate both = from[s].candidate;
         both.effects.push_back(one.effect);
-        if (find(both) == nullptr && affordable(both)) offer(tasks, {both, one.starts, one.cost});
+        if (find(both) == nullptr && affordable(study_, both))
+          offer(tasks, {both, one.starts, promise(one.cost, log_prior(study_, both), from[s].volume)});
       }
     fit_most_promising(std::move(tasks), most);
   }
@@ -267,25 +257,25 @@ class Searcher {
                                     [&](const Task& t) { return same(t.candidate, one.candidate); });
     if (place == tasks.end()) {
       tasks.push_back(std::move(one));
-    } else if (one.cost < place->cost) {
+    } else if (one.promise > place->promise) {
       *place = std::move(one);
     }
   }
 
-  /// Log likelihood in white noise, times the prior of the candidate.
-  [[nodiscard]] double promise(double cost, const Candidate& candidate) const {
-    return -cost / 2 + log_prior(study_, candidate);
+  /// Log evidence in white noise. The volume of what is extended stands for that of the whole, which is no
+  /// larger.
+  [[nodiscard]] static double promise(double squares, double log_prior, const Volume& volume) {
+    return -squares / 2 + log_prior + volume.log();
   }
 
   void fit_most_promising(std::vector<Task> tasks, std::size_t most) {
     constexpr double margin = 3;  // nats, of a linear forecast
     double reached = -std::numeric_limits<double>::infinity();
     for (const Hypothesis& h : found_.hypotheses)
-      if (!imitates(h.candidate)) reached = std::max(reached, promise(squares(h), h.candidate));
-    std::erase_if(tasks, [&](const Task& t) { return promise(t.cost, t.candidate) < reached - margin; });
-    std::stable_sort(tasks.begin(), tasks.end(), [&](const Task& a, const Task& b) {
-      return promise(a.cost, a.candidate) > promise(b.cost, b.candidate);
-    });
+      reached = std::max(reached, promise(squares(h), h.log_prior, h.volume));
+    std::erase_if(tasks, [&](const Task& t) { return t.promise < reached - margin; });
+    std::stable_sort(tasks.begin(), tasks.end(),
+                     [](const Task& a, const Task& b) { return a.promise > b.promise; });
     if (tasks.size() > most) tasks.resize(most);
     fit(tasks);
   }
@@ -389,6 +379,24 @@ class Searcher {
     }
     for (Hypothesis& h : found_.hypotheses) h.refined = false;
     refine(refined_at_last, near_best / 2);
+  }
+
+  /// The leading hypotheses without each of their effects, fitted from what the others are there: a simpler
+  /// one lacks no evidence for the place where its own fit began.
+  void simplify() {
+    std::vector<Instance> parts;
+    for (std::size_t i = 0; i < std::min(taken_apart, found_.hypotheses.size()); ++i)
+      for (const EffectAt& gone : found_.hypotheses[i].candidate.effects)
+        if (const Hypothesis& h = found_.hypotheses[i];
+            h.candidate.count() > 1 && !h.candidate.has_as_tolerance(gone))
+          parts.push_back(
+              part(study_, h.candidate, h.parameters, [&](const EffectAt& at) { return !(at == gone); }));
+    std::vector<Hypothesis> simpler(parts.size());
+    in_parallel(parts.size(), study_.threads(), [&](std::size_t i) {
+      simpler[i] = maximised(study_, *found_.likelihood, parts[i].candidate, parts[i].parameters, fine);
+    });
+    for (Hypothesis& one : simpler) add(std::move(one));
+    sort();
   }
 
   /// A hypothesis with an idle effect is another, simpler one.
