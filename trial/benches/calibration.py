@@ -21,8 +21,13 @@ COVERAGE = 0.95  # of the intervals of a diagram, all at once
 DRAWS = 20000
 
 
+CURRENT = {"load_zero": "force_bias", "load_gain": "force_gain", "load_drift": "sensor_drift", "load_lag": "sensor_lag"}  # by the ids of labels
+
+
 def key(effect):
-    return effect["id"] + (f"({effect['joint']})" if effect.get("joint") else "")
+    """An effect as reports have it; alternatives of labels are keys already."""
+    text = effect if isinstance(effect, str) else effect["id"] + (f"({effect['joint']})" if effect.get("joint") else "")
+    return CURRENT.get(text, text)
 
 
 def report_of(plumbline, folder, reports):
@@ -98,18 +103,21 @@ def verdicts(pairs):
     for report, (label, listed, is_outside) in pairs:
         cause = report["cause"]
         said = [{key(e) for e in cause["effects"]}] + [set(other) for other in cause["equivalent"]]
-        equal = [listed] + [{key(e) if isinstance(e, dict) else e for e in (one if isinstance(one, list) else [one])} for one in label["equivalent"]]
+        equal = [listed] + [{key(e) for e in (one if isinstance(one, list) else [one])} for one in label["equivalent"]]
         right = not is_outside and bool(label["effects"]) and any(one in equal for one in said)
         verdict = cause["verdict"] + (" (too few readings)" if cause.get("too_few_readings") else "")
         family = "outside" if is_outside else ("no gap", "one effect", "two effects")[min(2, len(listed))]
-        named = "" if verdict in ("none", "unknown") else ", with the truth" if right else ", without the truth"
+        is_part = not is_outside and said[0] < listed
+        named = "" if verdict in ("none", "unknown") else ", with the truth" if right else ", with a part of it" if is_part else ", without the truth"
         table.setdefault(family, {}).setdefault(verdict + named, []).append(label["name"])
     lines = ["| truth | said | experiments |", "| --- | --- | ---: |"]
     for family, said in sorted(table.items()):
         lines += [f"| {family} | {what} | {len(names)} |" for what, names in sorted(said.items())]
-    sure = [sum(len(n) for f, said in table.items() for w, n in said.items() if w.startswith("identified") and good(f, w)) for good in
-            (lambda f, w: True, lambda f, w: w.endswith("without the truth"))]
-    lines += ["", f"Wrong and sure: {sure[1]} of {sure[0]} that name one cause" + (f" (upper 95 % bound {wilson_bound(sure[1], sure[0]):.0%})." if sure[0] else ".")]
+    def alone(ending):
+        return sum(len(n) for said in table.values() for w, n in said.items() if w.startswith("identified") and w.endswith(ending))
+    sure, part, wrong = alone(""), alone("with a part of it"), alone("without the truth")
+    lines += ["", f"Of {sure} that name one cause {wrong} are wrong and {part} name one of two planted effects"
+              + (f": wrong and sure {wrong + part} of {sure} (upper 95 % bound {wilson_bound(wrong + part, sure):.0%})." if sure else ".")]
     return "\n".join(lines) + "\n"
 
 

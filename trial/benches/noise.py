@@ -44,6 +44,8 @@ class Noise:
 def with_noise(bench, readings, random, recipe):
     """The readings, and their noise; its true over the declared standard deviation goes to the bench."""
     kind = str(random.choice(list(recipe.noise), p=list(recipe.noise.values())))
+    if kind == "autocorrelated" and not bench.clock:
+        kind = "declared"  # separate poses follow each other as somebody took them
     scale = wrong_by(recipe.misdeclared, random) if kind == "misdeclared" else 1.0
     bench.declared = bench.sigma / scale
     noise = Noise(kind, scale, random.uniform(1, 3) if kind == "proportional" else 0.0)
