@@ -55,8 +55,7 @@ std::string gap(const Diagnosis& diagnosis) {
     text += fmt::format("  {} has no value at {} of {} readings of {}: interpolated in time\n", one.covariate,
                         one.count, one.of, one.run);
   for (const ThinnedRun& one : answer.thinned)
-    text +=
-        fmt::format("  of the {} readings of {} {} are used, spread evenly\n", one.of, one.run, one.count);
+    text += fmt::format("  of the {} readings of {} {} are used\n", one.of, one.run, one.count);
   for (const OtherBranch& one : answer.other_branch)
     text += fmt::format(
         "  from reading {} of {} on the chain is on the other post-critical branch, which imperfections "

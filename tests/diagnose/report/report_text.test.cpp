@@ -37,7 +37,7 @@ const std::string gap_in_words =
     "  all forces of load-2 point straight down without noise: assumed to be weights\n"
     "  press-1b goes on where press-1 ends, in time and command: read as one run\n"
     "  temperature has no value at 3 of 9 readings of load-2: interpolated in time\n"
-    "  of the 9000 readings of load-2 800 are used, spread evenly\n"
+    "  of the 9000 readings of load-2 800 are used\n"
     "  from reading 3 of press-1 on the chain is on the other post-critical branch, which imperfections "
     "choose; "
     "the model is started on the same one\n";
