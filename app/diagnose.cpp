@@ -130,7 +130,8 @@ void run_motion(const DiagnoseOptions& options, const CLI::App& verb) {
   for (const auto& [name, value] : {std::pair{"--model", options.model},
                                     {"--effects", options.effects},
                                     {"--corrected", options.corrected},
-                                    {"--html", options.html}})
+                                    {"--html", options.html},
+                                    {"--against", options.against}})
     if (!value.empty()) throw Error(name, "an experiment of motion", "a bench of loads or poses");
   if (options.plan || options.next)
     throw Error(options.plan ? "--plan" : "--next", "an experiment of motion", "a bench of loads or poses");
