@@ -89,7 +89,7 @@ def attempt(make, change, lack, random):
     states = []
     for truth in (common, altered) if came else (altered, common):
         one = copy.deepcopy(bench)
-        noisy, _, _ = with_noise(one, clean_readings(one, truth), random, CHANGE)
+        noisy, _ = with_noise(one, clean_readings(one, truth), random, CHANGE)
         states.append(Drawn(one, noisy))
     label = {"effects": moved[1], "equivalent": moved[2], "strength_sigma": round(size, 3), "came": came, "one_sided": moved[4], "lack": shared[3],
              "lack_sigma": round(lacking, 3), "description": moved[3] if change == OUT else "",
