@@ -39,15 +39,18 @@ Logger logger_of(const DraftFile& file, const std::vector<std::string>& joints) 
   return logger;
 }
 
-/// Whether the two have one run together, and no time of one is a time of the other.
-bool belong_together(const Logger& a, const Logger& b) {
-  if (a.times.empty() || b.times.empty() || a.times == b.times) return false;
-  const bool apart =
-      (a.places && !a.loads && b.loads && !b.places) || (a.loads && !a.places && b.places && !b.loads);
+/// Whether one has the loads alone and the other the places.
+bool complete(const Logger& a, const Logger& b) {
+  return (a.places && !a.loads && b.loads && !b.places) || (a.loads && !a.places && b.places && !b.loads);
+}
+
+/// The share of the longer one's time in which both read; zero where they do not complete each other.
+double time_in_common(const Logger& a, const Logger& b) {
+  if (a.times.empty() || b.times.empty() || !complete(a, b)) return 0;
   const double begin = std::max(a.times.front(), b.times.front()),
                end = std::min(a.times.back(), b.times.back());
   const double longer = std::max(a.times.back() - a.times.front(), b.times.back() - b.times.front());
-  return apart && end - begin > longer / 2;
+  return longer > 0 ? std::max(0.0, (end - begin) / longer) : 0;
 }
 
 /// The value between two readings; NaN beyond the first and the last, and beside one without a value.
@@ -100,19 +103,27 @@ std::string joined(const Logger& first, const Logger& second) {
 
 std::vector<DraftFile> joined_clocks(std::vector<DraftFile> files, const std::vector<std::string>& joints,
                                      Guesses& guesses) {
-  for (std::size_t a = 0; a < files.size(); ++a)
-    for (std::size_t b = a + 1; b < files.size(); ++b) {
-      const Logger first = logger_of(files[a], joints), second = logger_of(files[b], joints);
-      if (!belong_together(first, second)) continue;
-      guesses.push_back(
-          {"files of " + files[a].name, fmt::format("joined with {}", files[b].name),
-           fmt::format("one has the loads, the other the places, on one clock: values of {} between its "
-                       "readings, at the times of {}",
-                       files[b].name, files[a].name)});
-      files[a].text = joined(first, second);
-      files.erase(files.begin() + static_cast<std::ptrdiff_t>(b));
-      break;
+  std::vector<Logger> loggers;
+  for (const DraftFile& file : files) loggers.push_back(logger_of(file, joints));
+  for (std::size_t a = 0; a < files.size(); ++a) {
+    std::size_t best = a;
+    double most = 0.5;
+    bool same_times = false;  // such files are joined line by line
+    for (std::size_t b = 0; b < files.size(); ++b) {
+      const double common = b == a ? 0 : time_in_common(loggers[a], loggers[b]);
+      same_times = same_times || (common > 0 && loggers[a].times == loggers[b].times);
+      if (common > most) most = common, best = b;
     }
+    if (same_times || best <= a) continue;
+    guesses.push_back(
+        {"files of " + files[a].name, fmt::format("joined with {}", files[best].name),
+         fmt::format("one has the loads, the other the places, on one clock: values of {} between its "
+                     "readings, at the times of {}",
+                     files[best].name, files[a].name)});
+    files[a].text = joined(loggers[a], loggers[best]);
+    const auto place = static_cast<std::ptrdiff_t>(best);
+    files.erase(files.begin() + place), loggers.erase(loggers.begin() + place);
+  }
   return files;
 }
 

@@ -151,6 +151,8 @@ def repository_experiments():
     labels = Draft202012Validator(schema_of("label"))
     for path in found:
         settings = tomllib.loads(path.read_text(encoding="utf-8"))
+        if settings["format"] == "motion/1":  # docs/motion.md states it, and test-motion reads it
+            continue
         (arms if "arm" in settings else chains).validate(settings)
         if (path.parent / "label.json").exists():
             labels.validate(json.loads((path.parent / "label.json").read_text(encoding="utf-8")))

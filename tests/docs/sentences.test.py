@@ -10,7 +10,7 @@ from pathlib import Path
 
 from documents import ROOT
 
-HOLES = [r": ;", r"(?<!\d) \.(?=[\s<])", r" ;", r": \.", r"\( *\)", r", ,", r"<tbody>\s*</tbody>", r"\{\{"]
+HOLES = [r": ;", r"(?<!\d) \.(?=[\s<]|$)", r" ;", r": \.", r"\( *\)", r", ,", r"<tbody>\s*</tbody>", r"\{\{"]
 FOLDERS = ("experiment", "joint-loop", "servo-arm", "cogging", "arm")
 
 
@@ -31,7 +31,7 @@ def main(program):
             wrong += [f"{name}: {hole!r}" for hole in holes(text)]
             if str(ROOT) in text:
                 wrong.append(f"{name}: names the folder {ROOT}")
-    sys.exit("\n".join(wrong))
+    sys.exit("\n".join(wrong) or 0)
 
 
 if __name__ == "__main__":

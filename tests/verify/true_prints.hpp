@@ -67,6 +67,7 @@ inline std::vector<Survivor> survivors() {
       {"fig-5b-name", "word", "U⁻", "the sign of epsilon is not printed"},
       {"four-unknowns", "order", "", "unknowns in another order"},
       {"fig-7-shapes", "order", "", "shapes in another order"},
+      {"fig-14-lateral", "order", "", "curves in another order"},
       {"eq-29", "order", "", "terms of a sum in another order"},
       {"table-3-signs", "order", "", "rows in another order"},
       {"table-3-stability", "order", "", "rows in another order"},

@@ -39,7 +39,7 @@ TEST_CASE("a wrong zero of the third joint of an arm is found, and how large it 
   const Study study(experiment);
   const Diagnosis diagnosis = diagnose::diagnose(study);
   REQUIRE(diagnosis.gap.present);
-  REQUIRE(diagnosis.cause.named == 1);
+  REQUIRE(diagnosis.cause.named >= 1);
   CHECK(diagnosis.cause.ranking.front().cause.label() == "rest_angle(3)");
   const Estimate& found = diagnosis.estimates[0][0];
   CHECK(found.low < 0.003);

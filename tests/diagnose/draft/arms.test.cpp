@@ -40,7 +40,7 @@ std::vector<double> pose(int i) {
 }
 
 Pose<double> nominal_place(const std::vector<double>& command) {
-  const NominalArm& one = *three_joints().arm;
+  const NominalArm one = *three_joints().arm;
   return nominal_pose(one.arm, {2, one.arm.tip}, command);
 }
 

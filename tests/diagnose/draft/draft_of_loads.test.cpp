@@ -197,7 +197,7 @@ TEST_CASE("titles of tensions and pressures, in several tongues, with their unit
 }
 
 TEST_CASE("titles with some of these words that are neither a tension nor a pressure") {
-  for (const char* title : {"cable length [mm]", "tension [V]", "tendon velocity", "p", "chamber 1", "wire",
+  for (const std::string title : {"cable length [mm]", "tension [V]", "tendon velocity", "p", "chamber 1", "wire",
                             "ambient pressure [mbar]", "muscle temperature"}) {
     CAPTURE(title);
     CHECK_FALSE(is_actuation(words_of(title, "", {}).kind));

@@ -195,9 +195,9 @@ TEST_CASE("however a laboratory writes its table, its readings are drafted witho
       const Line& line = pressed()[i];
       const Reading& reading = readings[i];
       CHECK(std::abs(reading.t - readings.front().t - line.t) < 1e-6);
-      // six digits were written
-      CHECK(std::abs(reading[column_x] - line.x) < 1e-6);
-      CHECK(std::abs(reading[column_y] - line.y) < 1e-6);
+      // Six digits were written: of inches four decimals, so half of 1e-4 of 0.0254 m.
+      CHECK(std::abs(reading[column_x] - line.x) < 1.3e-6);
+      CHECK(std::abs(reading[column_y] - line.y) < 1.3e-6);
       for (const auto& [column, force] : {std::pair(column_Fx, line.Fx), std::pair(column_Fy, line.Fy)})
         CHECK((std::isnan(reading[column]) || std::abs(reading[column] - force) < 1e-4));
     }

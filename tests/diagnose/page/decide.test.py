@@ -404,6 +404,13 @@ def decide(data):
     others = 1 if outside >= 1 / WRONG else 0
     named = [causes[0][0]] + [c for c, p in causes[1:] if p >= (listed if leads else 1) / WRONG]
     named = named[: LARGEST - others]
+    if len(named) + others == 1:  # the only name costs more where it is wrong
+        rest = [outside] + [p for _, p in causes[1:]]
+        if 1.5 * WRONG * sum(rest) > 1 + WRONG * (sum(rest) - max(rest)):
+            if max(rest) > outside:
+                named.append(causes[1][0])
+            else:
+                others = 1
     return ("identified" if len(named) + others == 1 else "ambiguous"), set(named), no_gap, outside
 
 
