@@ -84,7 +84,7 @@ def as_chain(entry):
         loads.append({**one, "at": load["at"] + 1 if load["at"] < n else "end_point", "fixed": not load["multiplied"]})
     supports = [{"at": i + 2, "across": across} for i, across in enumerate(entry["across"]) if across != "free"]
     chain = {name: entry[name] for name in ("lengths", "stiffness", "base", "end_point", "masses") if name in entry}
-    return {**chain, "supports": supports, "loads": loads}
+    return {**chain, **({"supports": supports} if supports else {}), "loads": loads}
 
 
 def test_fifty_digits_are_the_reference_values():
