@@ -57,7 +57,7 @@ SecretExperiments make(const TrialOptions& options, const fs::path& folder) {
 }
 
 std::vector<campaign::Diagnosed> diagnose_all(const TrialOptions& options, const trial::SealedFolder& folder,
-                                           const fs::path& reports, work::Journal* journal) {
+                                              const fs::path& reports, work::Journal* journal) {
   Progress progress("diagnoses", folder.names().size());
   return trial::diagnose_all(folder, reports, std::chrono::duration<double>(options.patience), journal,
                              [&] { progress.advance(); });

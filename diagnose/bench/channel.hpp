@@ -46,7 +46,8 @@ struct Channel {
   /// The last three are of arms in space: coordinates of a point, components of its rotation vector, torque
   /// of a drive. The number is that of the row in channel_kinds.
   enum class Name { x, y, Fx, Fy, q, Fx_2, Fy_2, angle, torque, torque_2, tilt, place, turn, drive } name;
-  std::size_t joint = 0;  ///< 0-based, for what there is at each joint or link; 3 p + axis for a coordinate of point p
+  std::size_t joint =
+      0;  ///< 0-based, for what there is at each joint or link; 3 p + axis for a coordinate of point p
   std::ptrdiff_t column;  ///< in readings and traces
 
   /// \param joints  of the arm, for what stands behind its joints' angles
@@ -66,8 +67,8 @@ struct Channel {
 /// A row of the table of channels.
 struct ChannelKind {
   enum class Index { none, joint, coordinate };
-  /// What has it: an end point or a joint alone (EndKind says which), all joints, those of a chain in the plane,
-  /// an arm in space.
+  /// What has it: an end point or a joint alone (EndKind says which), all joints, those of a chain in the
+  /// plane, an arm in space.
   enum class Of { end, joints, chain, arm };
 
   Channel::Name name;
@@ -94,7 +95,8 @@ inline constexpr auto channel_kinds = [] {
       ChannelKind{Name::Fy_2, "Fy_2", "Fy_2", Sensor::second_force, Of::end, Index::none, column_Fy_2, true},
       ChannelKind{Name::angle, "angle", "angle", Sensor::angle, Of::end, Index::none, column_x},
       ChannelKind{Name::torque, "torque", "torque", Sensor::torque, Of::end, Index::none, column_Fx},
-      ChannelKind{Name::torque_2, "torque_2", "torque_2", Sensor::second_torque, Of::end, Index::none, column_Fx_2},
+      ChannelKind{Name::torque_2, "torque_2", "torque_2", Sensor::second_torque, Of::end, Index::none,
+                  column_Fx_2},
       ChannelKind{Name::tilt, "tilt", "tilt", Sensor::orientation, Of::chain, Index::joint, column_q},
       ChannelKind{Name::place, "place", "place", Sensor::position, Of::arm, Index::coordinate, column_q},
       ChannelKind{Name::turn, "r", "turn", Sensor::orientation, Of::arm, Index::coordinate, column_q + 3},

@@ -11,9 +11,9 @@
 namespace plumbline::diagnose {
 
 struct EndKind {
-  std::vector<Channel> place;   ///< where the end point, or the joint, is
-  std::vector<Channel> load;    ///< what the environment does to it
-  std::vector<Channel> second;  ///< the load once more, by a second sensor
+  std::vector<Channel> place;          ///< where the end point, or the joint, is
+  std::vector<Channel> load;           ///< what the environment does to it
+  std::vector<Channel> second;         ///< the load once more, by a second sensor
   std::string_view by_place, by_load;  ///< words of `control` for what is imposed
   Sensor joint;                        ///< in what joints move
   bool joint_angles;                   ///< angles of joints may be read beside the place

@@ -17,8 +17,8 @@ struct PoseFormat {
 };
 
 /// Columns by their names: t; q_command1 …; q1 …; torque1 …; NAME_x, NAME_y, NAME_z of a point, NAME_rx … or
-/// NAME_qw, NAME_qx … of its orientation; Fx … Mz or weight at the load; temperature. [columns] has one key for
-/// those of a point: NAME, NAME_r, NAME_q.
+/// NAME_qw, NAME_qx … of its orientation; Fx … Mz or weight at the load; temperature. [columns] has one key
+/// for those of a point: NAME, NAME_r, NAME_q.
 /// \param experiment  with its arm and bench
 /// \param units       of all columns of a kind
 PoseFormat pose_format(const Experiment& experiment, const Section& units, bool motor_side);

@@ -24,7 +24,7 @@ struct Column {
   std::string name;                     ///< in the header; empty where the column has a number
   std::size_t number = 0;               ///< from 1, where there is no name
   std::optional<std::string> constant;  ///< a decimal that holds for all readings; there is no column
-  Unit unit, usual_unit;  ///< the latter where [columns] does not say
+  Unit unit, usual_unit;                ///< the latter where [columns] does not say
   int sign = 1;
   std::string zero = "0";  ///< a decimal
   bool zero_is_first = false;
@@ -68,8 +68,8 @@ struct SampleFormat {
 /// \throws Error for others; those of other benches' channels are told apart
 void require_keys(const Section& section, const SampleFormat& format, const std::set<std::string>& own);
 
-/// The format without any setting: docs/experiment-format.md, "Sample files". Its columns are t, x, y, Fx, Fy,
-/// q1 … qn, q_command1 … q_commandn, Fx_2, Fy_2; of a joint alone t, angle, torque, q_command1, torque_2.
+/// The format without any setting: docs/experiment-format.md, "Sample files". Its columns are t, x, y, Fx,
+/// Fy, q1 … qn, q_command1 … q_commandn, Fx_2, Fy_2; of a joint alone t, angle, torque, q_command1, torque_2.
 SampleFormat standard_format(std::size_t joints, Alone alone = Alone::no);
 
 /// Adds a covariate, or a value of a load, of its own name.

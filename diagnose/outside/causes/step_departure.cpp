@@ -42,7 +42,7 @@ class StepDeparture final : public OutsideCause {
 
   /// By run and reading: log Bayes factor of a step that begins there.
   static std::map<RunReading, double> factors(const Likelihood& alone, const VectorXd& residual,
-                                         bool one_session) {
+                                              bool one_session) {
     const Measurements& measurements = alone.measurements();
     const auto place_of = [&](Eigen::Index row) {
       const ReadingPlace& at = measurements.places()[static_cast<std::size_t>(row)];
