@@ -192,8 +192,12 @@ struct MeasuredPoint {
 
 /// The bench of an arm in space.
 struct ArmBench {
+  /// Where the tracker stands, and where the points sit on their links: as declared, or anywhere.
+  enum class Frames { known, unknown };
+
   std::vector<MeasuredPoint> points;
   OnLink<double> load{0};  ///< where the wrench acts
+  Frames frames = Frames::known;
 };
 
 /// The nominal model, the bench and the runs.

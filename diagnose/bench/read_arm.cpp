@@ -138,13 +138,15 @@ std::vector<MeasuredPoint> read_points(const Section& section, const NominalArm&
 
 ReadArmBench read_arm(const Section& section, const ReadArm& read) {
   section.allow_only({"model", "base", "tip", "joint", "tip_xyz", "tip_rpy", "base_xyz", "base_rpy",
-                      "gravity", "joint_stiffness", "point", "load", "encoder"});
+                      "gravity", "joint_stiffness", "point", "load", "encoder", "frames"});
   ReadArmBench result{read_nominal_arm(section, read), {}};
   const NominalArm& nominal = result.arm;
   require_physical(nominal.arm);
   result.bench.points = read_points(section, nominal);
   result.bench.load = section.has("load") ? on_body(section.table("load"), nominal)
                                           : OnLink<double>{nominal.arm.size() - 1, nominal.arm.tip};
+  if (!section.has("frames") || section.one_of("frames", {"known", "unknown"}) == "unknown")
+    result.bench.frames = ArmBench::Frames::unknown;
   if (section.has("encoder")) result.motor_side = section.one_of("encoder", {"link", "motor"}) == "motor";
   return result;
 }

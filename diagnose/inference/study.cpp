@@ -67,17 +67,30 @@ std::vector<const Effect*> all_rows(const Experiment& experiment) {
 
 }  // namespace
 
-Study::Study(Experiment experiment)
+Study::Study(AsItIs, Experiment experiment)
     : experiment_(numbered(std::move(experiment))),
       effects_(all_rows(experiment_)),
       measurements_(experiment_),
       scales_(characteristic_scales(experiment_)),
       nominal_rig_(diagnose::nominal_rig(experiment_)) {}
 
+Study::Study(Experiment experiment) : Study(AsItIs{}, std::move(experiment)) {
+  if (!experiment_.arm || measurements_.size() == 0) return;
+  std::shared_ptr<const Calibration> found = calibrated(*this);
+  if (!found) return;
+  *this = Study(AsItIs{}, found->experiment);
+  calibration_ = std::move(found);
+}
+
 Study::Study(Experiment experiment, std::shared_ptr<const std::vector<Effect>> stated)
     : Study(with_rows(std::move(experiment), std::move(stated))) {}
 
+Study Study::as_it_is(Experiment experiment, std::shared_ptr<const std::vector<Effect>> stated) {
+  return {AsItIs{}, with_rows(std::move(experiment), std::move(stated))};
+}
+
 Study Study::of(Experiment other) const {
+  if (calibration_) other.effects.resize(other.effects.size() - calibration_->random_effects);
   return Study(std::move(other), experiment_.stated);
 }
 
@@ -91,7 +104,13 @@ const Prediction& Study::nominal() const {
 }
 
 VectorXd Study::residual(const Prediction& predicted) const {
-  return measurements_.residual(predicted);
+  const VectorXd plain = measurements_.residual(predicted);
+  return calibration_ ? calibration_->whitening(plain) : plain;
+}
+
+VectorXd Study::in_sigmas(const std::vector<Trace>& traces) const {
+  const VectorXd plain = measurements_.in_sigmas(traces);
+  return calibration_ ? calibration_->whitening(plain) : plain;
 }
 
 VectorXd Study::nominal_residual() const {
@@ -122,11 +141,18 @@ namespace {
 
 std::vector<EffectAt> possible_by(const Study& study, const CharacteristicScales& scales) {
   std::vector<EffectAt> all;
+  const Calibration* const calibration = study.calibration();
+  const auto may_be_a_cause = [&](const EffectAt& at) {
+    if (!calibration) return true;
+    return !at.effect->is_tolerance && std::find(calibration->imitate.begin(), calibration->imitate.end(),
+                                                 at) == calibration->imitate.end();
+  };
   for (const Effect* row : study.effects()) {
     const std::size_t first = row->at_joint ? 1 : 0;
     const std::size_t last = row->at_joint ? scales.link_length.size() : 0;
     for (std::size_t joint = first; joint <= last; ++joint)
-      if (const EffectAt at(*row, joint); row->possible({scales, index_of(at)})) all.push_back(at);
+      if (const EffectAt at(*row, joint); row->possible({scales, index_of(at)}) && may_be_a_cause(at))
+        all.push_back(at);
   }
   return all;
 }

@@ -5,6 +5,7 @@
 #include <memory>
 #include <mutex>
 
+#include "diagnose/calibration/calibration.hpp"
 #include "diagnose/inference/measurements.hpp"
 #include "diagnose/rig/effect.hpp"
 #include "diagnose/rig/history.hpp"
@@ -18,9 +19,15 @@ class Study {
   explicit Study(Experiment experiment);
   /// The same, with these effects of the user's.
   Study(Experiment experiment, std::shared_ptr<const std::vector<Effect>> stated);
+  /// The same without a calibration: frames and geometry are those of the experiment.
+  static Study as_it_is(Experiment experiment, std::shared_ptr<const std::vector<Effect>> stated);
   /// Other readings of the same bench, in which the same effects are looked for.
   [[nodiscard]] Study of(Experiment other) const;
 
+  /// Of an arm in space: how the experiment was calibrated; null of other benches, and where readings are too
+  /// few.
+  [[nodiscard]] const Calibration* calibration() const { return calibration_.get(); }
+  /// The experiment; that of an arm in space as it is calibrated.
   [[nodiscard]] const Experiment& experiment() const { return experiment_; }
   [[nodiscard]] const Measurements& measurements() const { return measurements_; }
   [[nodiscard]] const CharacteristicScales& scales() const { return scales_; }
@@ -35,9 +42,12 @@ class Study {
   [[nodiscard]] const Rig& nominal_rig() const { return nominal_rig_; }
   /// What the nominal model predicts; computed when it is first asked for.
   [[nodiscard]] const Prediction& nominal() const;
-  /// (measured - predicted) / declared sigma, flat; of the nominal model.
+  /// (measured - predicted) / declared sigma, flat; whitened of what calibration may leave of an arm in
+  /// space.
   [[nodiscard]] VectorXd residual(const Prediction& predicted) const;
   [[nodiscard]] VectorXd nominal_residual() const;
+  /// The values of traces in the same way, flat.
+  [[nodiscard]] VectorXd in_sigmas(const std::vector<Trace>& traces) const;
   /// What the runs ask of the nominal joints; computed when it is first asked for.
   [[nodiscard]] const Excitation& excitation() const;
 
@@ -46,11 +56,15 @@ class Study {
   [[nodiscard]] std::vector<ParameterRange> ranges(const Candidate& candidate) const;
 
  private:
+  struct AsItIs {};
+  Study(AsItIs, Experiment experiment);
+
   Experiment experiment_;
   std::vector<const Effect*> effects_;
   Measurements measurements_;
   CharacteristicScales scales_;
   Rig nominal_rig_;
+  std::shared_ptr<const Calibration> calibration_;
   /// What is computed when it is first asked for, by whichever thread.
   struct Late {
     std::once_flag predicted, exercised;

@@ -1,0 +1,25 @@
+#pragma once
+/// \file
+/// The frames of a bench of poses: where the tracker stands, and where the points sit on their links.
+
+#include "diagnose/bench/experiment.hpp"
+
+namespace plumbline::diagnose {
+
+/// Tells all places and orientations in another frame.
+/// \param frame  the present frame of the tracker, in the one in which they were told; that of the arm's world
+///               becomes the present one
+void move_tracker(Experiment& experiment, const Pose<double>& frame);
+
+/// Moves a point on its link. Orientations stay those that were seen, told from the moved frame.
+/// \param by  in the axes of the point
+void move_point(Experiment& experiment, std::size_t point, const Pose<double>& by);
+
+/// The world of the arm in the frame of the tracker, with all points where they fit best: by Gauss and
+/// Newton's method from every orientation that turns axes into axes, geometry nominal and joints at their
+/// commands. Places and orientations are told in the world of the arm thereafter. Nothing moves where there
+/// are fewer places than unknowns.
+/// \returns the frame by which they were moved
+Pose<double> register_frames(Experiment& experiment);
+
+}  // namespace plumbline::diagnose

@@ -1,0 +1,29 @@
+#pragma once
+/// \file
+/// What corrections of an arm leave of poses that they have not seen, by linear fits.
+
+#include "diagnose/calibration/calibration.hpp"
+#include "diagnose/calibration/grouped_regression.hpp"
+#include "diagnose/inference/study.hpp"
+
+namespace plumbline::diagnose {
+
+/// Every fifth reading is held out, five times over; frames are fitted to the others each time.
+struct UnseenTest {
+  const Study& study;
+  const Eigen::MatrixXd& frames;
+  const Eigen::MatrixXd& columns;
+  const std::vector<ColumnGroup>& groups;
+  const std::vector<std::size_t>&always, &offered;
+  const Eigen::VectorXd& values;
+
+  /// Of the nominal arm.
+  [[nodiscard]] LeftOfPoses nominal() const;
+  /// Of all zeros, shifts, tilts, gears and compliances, tied so weakly that ten times the typical size is
+  /// free.
+  [[nodiscard]] LeftOfPoses least_squares() const;
+  /// Of the posterior mean, its groups chosen and its sizes learned anew each time.
+  [[nodiscard]] LeftOfPoses corrected() const;
+};
+
+}  // namespace plumbline::diagnose
