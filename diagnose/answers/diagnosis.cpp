@@ -149,6 +149,7 @@ Diagnosis diagnose(const Study& study, const std::function<void(double)>& progre
                       {},
                       {}};
   if (study.experiment().arm) diagnosis.joints = study.experiment().arm->joint;
+  diagnosis.calibration = study.calibration();
   diagnosis.gap.present = gap;
   diagnosis.gap.probability = 1 - posterior.no_gap;
   if (gap) explain(study, findings, posterior, diagnosis);

@@ -92,7 +92,7 @@ class Calibrator {
   /// Takes over the posterior mean: the random effects into the arm, the frames into the readings.
   void move() {
     const Eigen::VectorXd found = coefficients();
-    random_mean_ = found.head(random_columns_.columns.cols());
+    random_mean_ = random_columns_.clamped(found.head(random_columns_.columns.cols()));
     random_ = random_columns_.at(random_mean_);
     if (frame_columns_.cols() == 0) return;
     const Eigen::VectorXd step =

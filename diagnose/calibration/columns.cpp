@@ -70,14 +70,22 @@ Rig with_frames_moved(Rig rig, Eigen::Index unknown, double step) {
 
 }  // namespace
 
-std::vector<NominalEffect> EffectColumns::at(const Eigen::VectorXd& coefficients) const {
+VectorXd EffectColumns::clamped(VectorXd coefficients) const {
+  for (std::size_t p = 0; p < parameters.size(); ++p) {
+    const ParameterRange& range = parameters[p].range;
+    double& one = coefficients(static_cast<Eigen::Index>(p));
+    one = std::clamp(one * range.scale, range.low, range.high) / range.scale;
+  }
+  return coefficients;
+}
+
+std::vector<NominalEffect> EffectColumns::at(const VectorXd& coefficients) const {
   std::vector<NominalEffect> all;
   for (std::size_t p = 0; p < parameters.size(); ++p) {
     const auto& [at, range] = parameters[p];
     if (p == 0 || !(parameters[p - 1].at == at)) all.push_back(effect_of(at));
-    all.back().parameters[std::string(range.name)] = catalogue_value(
-        range.coordinate,
-        std::clamp(coefficients(static_cast<Eigen::Index>(p)) * range.scale, range.low, range.high));
+    all.back().parameters[std::string(range.name)] =
+        catalogue_value(range.coordinate, coefficients(static_cast<Eigen::Index>(p)) * range.scale);
   }
   return all;
 }
@@ -88,7 +96,7 @@ NominalEffect EffectColumns::effect(std::size_t group, const Eigen::VectorXd& co
   std::size_t place = 0;
   for (Eigen::Index p = 1; p <= groups[group].first; ++p)
     place += !(parameters[static_cast<std::size_t>(p)].at == parameters[static_cast<std::size_t>(p - 1)].at);
-  return at(all)[place];
+  return at(clamped(all))[place];
 }
 
 LearnedSize EffectColumns::size_of(std::size_t group, double size) const {

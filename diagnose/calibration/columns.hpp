@@ -18,6 +18,8 @@ struct EffectColumns {
   std::vector<Parameter> parameters;  ///< by column
   std::vector<ColumnGroup> groups;    ///< of one effect at all joints, or of a single cause
 
+  /// Coefficients of all columns, within the bounds of their parameters.
+  [[nodiscard]] Eigen::VectorXd clamped(Eigen::VectorXd coefficients) const;
   /// The effects at coefficients of all columns.
   [[nodiscard]] std::vector<NominalEffect> at(const Eigen::VectorXd& coefficients) const;
   /// That of a group, which is one effect, at the coefficients of the group.

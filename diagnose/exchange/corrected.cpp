@@ -96,7 +96,11 @@ std::vector<Corrected> corrected_models(const Study& study, const Diagnosis& dia
                                         const std::filesystem::path& source) {
   const diagnose::Cause& cause = diagnosis.cause;
   Models models(study);
-  if (cause.verdict == CauseVerdict::none) {
+  const bool unnamed = cause.verdict == CauseVerdict::none || cause.verdict == CauseVerdict::unknown;
+  if (unnamed && study.calibration()) {
+    models.add("", "calibrated: the posterior mean of all that joints may be off by",
+               study.calibration()->beside);
+  } else if (cause.verdict == CauseVerdict::none) {
     models.add("", "as it is, for there is no gap", {});
   } else if (cause.verdict == CauseVerdict::unknown) {
     if (diagnosis.law) {

@@ -141,7 +141,7 @@ namespace {
 
 std::vector<EffectAt> possible_by(const Study& study, const CharacteristicScales& scales) {
   std::vector<EffectAt> all;
-  const Calibration* const calibration = study.calibration();
+  const Calibration* const calibration = study.calibration().get();
   const auto may_be_a_cause = [&](const EffectAt& at) {
     if (!calibration) return true;
     return !at.effect->is_tolerance && std::find(calibration->imitate.begin(), calibration->imitate.end(),

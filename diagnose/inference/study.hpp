@@ -26,7 +26,7 @@ class Study {
 
   /// Of an arm in space: how the experiment was calibrated; null of other benches, and where readings are too
   /// few.
-  [[nodiscard]] const Calibration* calibration() const { return calibration_.get(); }
+  [[nodiscard]] const std::shared_ptr<const Calibration>& calibration() const { return calibration_; }
   /// The experiment; that of an arm in space as it is calibrated.
   [[nodiscard]] const Experiment& experiment() const { return experiment_; }
   [[nodiscard]] const Measurements& measurements() const { return measurements_; }

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "diagnose/design/separation.hpp"
+#include "diagnose/report/calibration_text.hpp"
 #include "diagnose/report/law.hpp"
 #include "diagnose/report/noise_text.hpp"
 #include "diagnose/report/report.hpp"
@@ -319,7 +320,7 @@ std::string headline(const Diagnosis& diagnosis) {
 }  // namespace
 
 std::string as_text(const Diagnosis& diagnosis) {
-  const std::string text = diagnosis.experiment + "\n\n" + headline(diagnosis) + "\n" + gap(diagnosis);
+  const std::string text = diagnosis.experiment + "\n\n" + headline(diagnosis) + "\n" + calibration_as_text(diagnosis) + gap(diagnosis);
   if (!diagnosis.gap.present) return text;
   return text + "\n" + where(diagnosis) + "\n" + what(diagnosis) + "\n" + how_far(diagnosis) +
          (diagnosis.proposals.empty() ? "" : "\n" + what_next(diagnosis));
