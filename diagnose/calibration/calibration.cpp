@@ -33,14 +33,14 @@ class Calibrator {
     for (int round = 0; round < rounds; ++round) {
       const Study study = present();
       lay_columns(study, round > 0);
-      if (values_.size() <= frame_columns_.cols() + 3) return nullptr;
+      if (!can_be_fitted()) return nullptr;
       const GroupedRegression regression(frame_columns_, all_columns(), groups_, values_);
       fit_ = regression.extended(always_, round > 0 ? offered_ : std::vector<std::size_t>{});
       move();
     }
     const Study study = present();
     lay_columns(study, true);
-    return collected(study);
+    return can_be_fitted() ? collected(study) : nullptr;
   }
 
  private:
@@ -69,7 +69,15 @@ class Calibrator {
       groups_.push_back({behind + one.first, one.count});
     }
     if (random_mean_.size() == 0) random_mean_.setZero(behind);
-    values_ = study.nominal_residual() + random_columns_.columns * random_mean_;
+    values_ = study.nominal_residual();
+    if (random_mean_.size() == behind) values_ += random_columns_.columns * random_mean_;
+  }
+
+  /// Whether there are more readings than frames need, and an arm that holds its poses.
+  [[nodiscard]] bool can_be_fitted() const {
+    return values_.size() > frame_columns_.cols() + 3 && values_.allFinite() && frame_columns_.allFinite() &&
+           random_mean_.size() > 0 && random_mean_.size() == random_columns_.columns.cols() &&
+           random_columns_.columns.allFinite();
   }
 
   [[nodiscard]] Eigen::MatrixXd all_columns() const {

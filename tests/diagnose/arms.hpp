@@ -115,7 +115,7 @@ inline Experiment arm_bench(const NominalArm& arm, std::size_t readings, const M
 /// The experiment as the candidate would have given it, with noise of the declared sigma.
 inline Experiment as_given(Experiment experiment, const Candidate& truth,
                            const std::vector<double>& parameters, unsigned seed) {
-  const Prediction predicted = predict(Study(experiment), truth, parameters);
+  const Prediction predicted = predict(Study::as_it_is(experiment, experiment.stated), truth, parameters);
   REQUIRE(predicted.reached);
   std::mt19937 engine(seed);
   std::normal_distribution<double> normal;
