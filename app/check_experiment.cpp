@@ -22,53 +22,49 @@ using diagnose::Experiment;
 using diagnose::Origin;
 using diagnose::Run;
 
-const char* si_unit(const std::string& what) {
-  if (what == "t") return "s";
-  if (what.starts_with("torque")) return "N m";
-  if (what[0] == 'F') return "N";
-  return what[0] == 'q' || what == "angle" ? "rad" : "m";
-}
+constexpr std::string_view command = "q_command";
 
-/// The channel of an origin; none for the time and for commands.
-std::optional<Channel> channel_of(const Run& run, const Origin& origin) {
-  for (const std::vector<Channel>& channels : {run.imposed(), run.measurable()})
-    for (const Channel& one : channels)
-      if (one.label() == origin.what) return one;
-  return std::nullopt;
-}
-
-double value_of(const diagnose::Reading& reading, const Origin& origin,
-                const std::optional<Channel>& channel) {
-  if (channel) return channel->of(reading);
+/// NaN for a load on an arm.
+double value_of(const diagnose::Reading& reading, const Origin& origin) {
+  if (origin.channel) return origin.channel->of(reading);
   if (origin.what == "t") return reading.t;
-  return reading.rest.at(std::stoul(origin.what.substr(std::string_view("q_command").size())) - 1);
+  if (!origin.what.starts_with(command)) return NAN;
+  return reading.rest.at(std::stoul(origin.what.substr(command.size())) - 1);
+}
+
+/// Whether there is something to say of a column: it is in the file, or counted, or would answer.
+bool is_told(const Run& run, const Origin& origin) {
+  if (!origin.source.empty() || origin.what == "t") return true;
+  const std::vector<Channel> answering = run.answering();
+  return origin.channel && std::ranges::find(answering, *origin.channel) != answering.end();
 }
 
 /// "Fx  Kraft, kgf  -3.64 to 0 N, 9 readings, noise 0.0196 N".
 std::string column_line(const Experiment& experiment, const Run& run, std::size_t column) {
   const Origin& origin = run.origins[column];
   const std::string name = fmt::format("    {:<3} ", origin.what);
-  const std::optional<Channel> channel = channel_of(run, origin);
+  const std::optional<Channel>& channel = origin.channel;
   std::size_t count = 0;
   double least = INFINITY, most = -INFINITY;
   for (const diagnose::Reading& reading : run.readings) {
-    const double value = value_of(reading, origin, channel);
+    const double value = value_of(reading, origin);
     if (std::isnan(value)) continue;
     ++count;
     least = std::min(least, value + 0.0), most = std::max(most, value + 0.0);  // no "-0"
   }
+  if (count == 0 && !channel) return name + origin.source + ", " + origin.unit + ", a load\n";
   if (count == 0) return name + "not measured\n";
   const bool counted = origin.source.empty();
   std::string line =
       name + fmt::format("{:<22} ", counted ? "the readings, counted" : origin.source + ", " + origin.unit);
   line += least == most ? fmt::format("{:.4g}", least) : fmt::format("{:.4g} to {:.4g}", least, most);
-  line += fmt::format(" {}", si_unit(origin.what));
+  line += fmt::format(" {}", origin.si);
   const auto imposed = run.imposed();
   if (origin.what == "t") return line + "\n";
   if (!channel || std::find(imposed.begin(), imposed.end(), *channel) != imposed.end())
     return line + ", imposed\n";
   if (count < run.readings.size()) line += fmt::format(", {} of {} readings", count, run.readings.size());
-  return line + fmt::format(", noise {:.3g} {}\n", channel->sigma(experiment.noise), si_unit(origin.what));
+  return line + fmt::format(", noise {:.3g} {}\n", channel->sigma(experiment.noise), origin.si);
 }
 
 /// "temperature  T  20.1 to 24.3, 55 of 60 readings interpolated", "tension  F, mN  0 to 12 N, a load".
@@ -96,13 +92,13 @@ std::string nominal_lines(const Experiment& experiment) {
                                   [&](const Origin& origin) { return origin.what == key; });
     return one == experiment.origins.end() || one->in_si == 1 ? std::string() : ", written in " + one->unit;
   };
-  std::string text = experiment.alone == diagnose::Alone::no
+  std::string text = experiment.has_links()
                          ? fmt::format("  link_length      {:.6g} m{}\n",
                                        fmt::join(experiment.link_length, ", "), unit("link_length"))
                          : std::string("  a joint alone\n");
   text +=
       fmt::format("  joint_stiffness  {:.6g} {}{}\n", fmt::join(experiment.joint_stiffness, ", "),
-                  experiment.alone == diagnose::Alone::slides ? "N/m" : "N m/rad", unit("joint_stiffness"));
+                  experiment.slides(0) ? "N/m" : "N m/rad", unit("joint_stiffness"));
   if (std::any_of(experiment.link_mass.begin(), experiment.link_mass.end(), [](double m) { return m > 0; }))
     text += fmt::format("  link_mass        {:.6g} kg{}\n", fmt::join(experiment.link_mass, ", "),
                         unit("link_mass"));
@@ -114,27 +110,19 @@ std::string what_was_read(const Experiment& experiment) {
   for (const Run& run : experiment.runs) {
     text += fmt::format("  {}: {} imposed, {} readings{}\n", run.id,
                         run.commands_joints()              ? "the joints' commands are"
-                        : run.alone != diagnose::Alone::no ? "the " + run.imposed().front().label() + " is"
+                        : run.imposed().size() == 1 ? "the " + run.imposed().front().label() + " is"
                         : run.holds_end_point()            ? "the end point is"
                         : run.weights_inferred             ? "the force, assumed to be that of weights, is"
                                                            : "the force is",
                         run.readings.size(), run.turns_back() ? ", there and back" : "");
     if (!run.commands_joints())
-      text += fmt::format("    rest {:.4g} {}\n", fmt::join(run.rest, ", "),
-                          run.alone == diagnose::Alone::slides ? "m" : "rad");
+      text += fmt::format("    rest {:.4g} {}\n", fmt::join(run.rest, ", "), experiment.joint_unit(0));
     if (!run.continued_by.empty())
       text += fmt::format("    {} goes on where it ends, in time and command: read as one run\n",
                           fmt::join(run.continued_by, ", "));
     const std::size_t channels = run.origins.size() - experiment.covariates.size();
-    for (std::size_t c = 0; c < channels; ++c) {
-      const std::string& what = run.origins[c].what;
-      const bool there = what.starts_with("q_command")      ? run.commands_joints()
-                         : what.ends_with("_2")             ? !run.origins[c].source.empty()
-                         : what[0] == 'q'                   ? run.reads_angles()
-                         : run.alone != diagnose::Alone::no ? what != "y" && what != "Fy"
-                                                            : true;
-      if (there) text += column_line(experiment, run, c);
-    }
+    for (std::size_t c = 0; c < channels; ++c)
+      if (is_told(run, run.origins[c])) text += column_line(experiment, run, c);
     for (std::size_t c = channels; c < run.origins.size(); ++c)
       text += covariate_line(run, c - channels, run.origins[c]);
   }

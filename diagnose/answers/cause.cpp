@@ -77,7 +77,7 @@ Cause judge(const Study& study, const Findings& findings, const Posterior& poste
   const Hypothesis& lead = cause.ranking.front().hypothesis;
   if (!leaves_discrepancy(findings, lead)) return cause;
   cause.discrepancy = discrepancy_share(study, findings, lead);
-  if (study.experiment().alone == Alone::slides) cause.torque_unit = "N";
+  if (!study.experiment().has_links()) cause.torque_unit = study.experiment().torque_unit(0);
   cause.discrepancy_torque =
       discrepancy_torque(study, lead, findings.likelihood->decompose(lead.residual).delta);
   return cause;

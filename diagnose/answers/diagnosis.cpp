@@ -17,7 +17,7 @@ void require_reached(const Study& study) {
                 "loads under which the nominal arm does not hold its poses",
                 "joints and links that are stiffer than their loads");
   const std::vector<Run>& runs = study.experiment().runs;
-  if (study.experiment().alone != Alone::no)
+  if (!study.experiment().has_links())
     throw Error("experiment \"" + study.experiment().name + "\"",
                 "readings that the nominal joint cannot follow",
                 "a stiffness under which the joint holds every load");

@@ -81,11 +81,9 @@ std::vector<Abscissa> abscissae(const Experiment& experiment, const Run& like) {
              [over](const Reading& reading) { return over.of(reading); }}};
   }
   std::vector<Abscissa> all;
-  for (std::size_t j = 0; j < experiment.arm->arm.size(); ++j) {
-    const bool slides = experiment.arm->arm.links[j].kind == JointKind::prismatic;
-    all.push_back({"the command of " + experiment.arm->joint[j], slides ? "m" : "rad",
+  for (std::size_t j = 0; j < experiment.arm->arm.size(); ++j)
+    all.push_back({"the command of " + experiment.arm->joint[j], experiment.joint_unit(j),
                    [j](const Reading& reading) { return reading.rest[j]; }});
-  }
   return all;
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "diagnose/bench/end_kind.hpp"
 #include "diagnose/bench/order_of_chain.hpp"
 #include "diagnose/bench/unit.hpp"
 
@@ -357,15 +358,13 @@ void add_channel_of_joint(const Experiment& e, const Channel& channel, const Nam
 }
 
 std::vector<Conversion> conversions_of_joint(const Experiment& e) {
-  const bool slides = e.alone == Alone::slides;
+  const EndKind& end = end_kind(e.alone);
+  const bool slides = e.slides(0);
   std::vector<Conversion> all;
-  if (slides) {
-    add_channel_of_joint(e, Channel(Channel::Name::Fx), forces, quantity::force, all);
-    add_channel_of_joint(e, Channel(Channel::Name::x), lengths, quantity::length, all);
-  } else {
-    add_channel_of_joint(e, Channel(Channel::Name::torque), torques, quantity::torque, all);
-    add_channel_of_joint(e, Channel(Channel::Name::angle), angles_in, quantity::angle, all);
-  }
+  add_channel_of_joint(e, end.load.front(), slides ? forces : torques,
+                       slides ? quantity::force : quantity::torque, all);
+  add_channel_of_joint(e, end.place.front(), slides ? lengths : angles_in,
+                       slides ? quantity::length : quantity::angle, all);
   add_units_of_stiffness(e, slides ? sliding : stiffnesses,
                          slides ? quantity::sliding_stiffness : quantity::stiffness, all);
   return all;
@@ -374,7 +373,7 @@ std::vector<Conversion> conversions_of_joint(const Experiment& e) {
 }  // namespace
 
 std::vector<Conversion> conversions(const Experiment& experiment) {
-  if (experiment.alone != Alone::no) return conversions_of_joint(experiment);
+  if (!experiment.has_links()) return conversions_of_joint(experiment);
   std::vector<Conversion> all;
   add_forces(experiment, all);
   add_angles(experiment, false, true, all);

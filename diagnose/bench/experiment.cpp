@@ -5,33 +5,13 @@
 #include <numbers>
 #include <optional>
 
+#include "diagnose/bench/end_kind.hpp"
 #include "diagnose/bench/median.hpp"
 
 namespace plumbline::diagnose {
 namespace {
 
 using Name = Channel::Name;
-
-/// Where the end point is, or the joint that is alone.
-std::vector<Channel> place_channels(Alone alone) {
-  if (alone == Alone::turns) return {Channel(Name::angle)};
-  return alone == Alone::slides ? std::vector<Channel>{Channel(Name::x)}
-                                : std::vector<Channel>{Channel(Name::x), Channel(Name::y)};
-}
-
-/// What loads it.
-std::vector<Channel> load_channels(Alone alone) {
-  if (alone == Alone::turns) return {Channel(Name::torque)};
-  return alone == Alone::slides ? std::vector<Channel>{Channel(Name::Fx)}
-                                : std::vector<Channel>{Channel(Name::Fx), Channel(Name::Fy)};
-}
-
-/// What a second sensor reads of that.
-std::vector<Channel> second_load_channels(Alone alone) {
-  if (alone == Alone::turns) return {Channel(Name::torque_2)};
-  return alone == Alone::slides ? std::vector<Channel>{Channel(Name::Fx_2)}
-                                : std::vector<Channel>{Channel(Name::Fx_2), Channel(Name::Fy_2)};
-}
 
 }  // namespace
 
@@ -58,11 +38,11 @@ std::size_t Branch::first() const {
 }
 
 std::vector<Channel> Run::imposed() const {
-  return holds_end_point() ? place_channels(alone) : load_channels(alone);
+  return holds_end_point() ? end_kind(alone).place : end_kind(alone).load;
 }
 
 std::vector<Channel> Run::answering() const {
-  return holds_end_point() ? load_channels(alone) : place_channels(alone);
+  return holds_end_point() ? end_kind(alone).load : end_kind(alone).place;
 }
 
 Eigen::Vector2d Run::imposed_at(const Reading& reading) const {
@@ -128,19 +108,21 @@ double Run::sampling_interval() const {
 }
 
 std::vector<Channel> Run::measurable() const {
+  using Of = ChannelKind::Of;
   std::vector<Channel> channels = answering();
   const std::size_t joints = rest.size();
-  if (alone == Alone::no)
-    for (std::size_t j = 0; j < joints; ++j) channels.emplace_back(Name::q, j);
-  for (const Channel& channel : second_load_channels(alone)) channels.push_back(channel);
-  std::size_t columns = 0;
-  for (const Reading& reading : readings) columns = std::max(columns, reading.value.size());
-  if (columns <= static_cast<std::size_t>(column_q) + joints) return channels;
-  for (std::size_t c = 0; Channel(Name::turn, c, joints).column < static_cast<std::ptrdiff_t>(columns);
-       c += 3)
+  const auto add_joints = [&](Of of) {
+    for (const ChannelKind& kind : channel_kinds)
+      for (std::size_t j = 0; kind.of == of && kind.index == ChannelKind::Index::joint && j < joints; ++j)
+        channels.emplace_back(kind.name, j, joints);
+  };
+  if (end_kind(alone).joint_angles) add_joints(Of::joints);
+  for (const Channel& channel : end_kind(alone).second) channels.push_back(channel);
+  if (points == 0 && end_kind(alone).joint_angles) add_joints(Of::chain);
+  for (std::size_t p = 0; p < points; ++p)
     for (const Name name : {Name::place, Name::turn})
-      for (std::size_t axis = 0; axis < 3; ++axis) channels.emplace_back(name, c + axis, joints);
-  for (std::size_t j = 0; j < joints; ++j) channels.emplace_back(Name::drive, j, joints);
+      for (std::size_t axis = 0; axis < 3; ++axis) channels.emplace_back(name, 3 * p + axis, joints);
+  if (points > 0) add_joints(Of::arm);
   return channels;
 }
 

@@ -62,6 +62,8 @@ struct Origin {
   std::string source;  ///< for a channel a column name, "column 3" or "constant 0"; else empty
   std::string unit;    ///< "mm"
   double in_si = 1;    ///< of that unit
+  std::optional<Channel> channel = std::nullopt;
+  std::string si = {};  ///< the unit of its values in readings
 };
 
 /// The groups of a decimated run (decimate.hpp).
@@ -101,6 +103,7 @@ struct Run {
   std::vector<Origin> origins =
       {};  ///< of t, x, y, Fx, Fy, the joint angles and covariates; empty where it was not read
   Alone alone = Alone::no;        ///< of whose bench it is a run
+  std::size_t points = 0;         ///< that are measured of an arm in space; 0 for other benches
   bool begins_moving = false;     ///< the first reading was taken on the way; else the run begins relaxed
   bool by_weights = false;        ///< an imposed force is that of weights, not of a servo with a load cell
   bool weights_inferred = false;  ///< by_weights follows from the forces, not from the experiment's file

@@ -45,6 +45,15 @@ struct NominalChain {
   /// distances along its links, and a stiffness of zero is that of a rigid joint.
   std::shared_ptr<const NominalArm> arm = nullptr;
 
+  /// Whether a joint, from 0, slides; else it turns.
+  [[nodiscard]] bool slides(std::size_t joint) const;
+  /// Of a joint's coordinate, "rad" or "m", and of its torque, "N m" or "N".
+  [[nodiscard]] const char* joint_unit(std::size_t joint) const { return slides(joint) ? "m" : "rad"; }
+  [[nodiscard]] const char* torque_unit(std::size_t joint) const { return slides(joint) ? "N" : "N m"; }
+  /// A joint alone has none.
+  [[nodiscard]] bool has_links() const { return alone == Alone::no; }
+  /// Whether it is a chain in a plane, whose end point may be put or loaded.
+  [[nodiscard]] bool is_planar() const { return !arm && has_links(); }
   /// Whether it has springs and weights alone.
   [[nodiscard]] bool plain() const { return effects.empty() && laws.empty(); }
 };

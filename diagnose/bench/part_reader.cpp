@@ -25,14 +25,14 @@ PartReader::PartReader(const SamplePart& part, const ColumnPlaces& places, const
 }
 
 std::string PartReader::written_time(std::size_t row) const {
-  return files::shown(part_.table.rows[row].fields[*places_[place_t]]);
+  return files::shown(part_.table.rows[row].fields[*places_.front()]);
 }
 
 double PartReader::value(std::size_t c, std::size_t row) const {
   const Column& column = format().columns[c];
   if (column.constant) return constants_[c];
   if (is_no_force(c)) return 0;
-  if (!places_[c]) return c == place_t ? static_cast<double>(readings_before_ + row) : not_given;
+  if (!places_[c]) return column.says == Says::time ? static_cast<double>(readings_before_ + row) : not_given;
   const std::string text = field(c, row);
   if (text.empty() || column.as_is()) return nearest_double(text);
   const Mpfr50 exact = Mpfr50(column.sign) * (Mpfr50(text) - zeros_[c]) * column.unit.factor;
@@ -40,7 +40,7 @@ double PartReader::value(std::size_t c, std::size_t row) const {
 }
 
 bool PartReader::is_empty(std::size_t row) const {
-  for (std::size_t c = place_t + 1; c < places_.size(); ++c)
+  for (std::size_t c = 1; c < places_.size(); ++c)
     if (places_[c] && !is_missing(part_.table.rows[row].fields[*places_[c]], format())) return false;
   return true;
 }
@@ -51,11 +51,12 @@ Origin PartReader::origin(std::size_t c) const {
                            : places_[c]     ? column_title(part_.table, *places_[c])
                            : is_no_force(c) ? "constant 0"
                                             : "";
-  return {column.channel, from, column.unit.name, column.unit.in_si()};
+  return {column.channel, from, column.unit.name, column.unit.in_si(), column.reads,
+          column.quantity ? column.quantity->si : ""};
 }
 
 bool PartReader::is_no_force(std::size_t c) const {
-  return format().free_end && (c == place_Fx || c == place_Fy) && !has(c);
+  return format().free_end && format().columns[c].reads_any(end_kind(format().alone).load) && !has(c);
 }
 
 /// A number with a decimal point; empty for a missing value.

@@ -11,6 +11,7 @@
 
 #include "diagnose/bench/continued_runs.hpp"
 #include "diagnose/bench/covariates.hpp"
+#include "diagnose/bench/end_kind.hpp"
 #include "diagnose/bench/read_date.hpp"
 #include "diagnose/bench/read_loads.hpp"
 #include "diagnose/bench/read_nominal.hpp"
@@ -43,14 +44,13 @@ struct Units {
   }
 };
 
-Units read_units(const Section& root, Alone alone) {
+Units read_units(const Section& root, bool slides) {
   const Section units = root.table_or_empty("units");
   units.allow_only({"link_length", "joint_stiffness", "link_mass", "gravity", "rest", "radius", "volume"});
   const auto unit = [&](const char* key, const Quantity& quantity) {
     return units.has(key) ? parse_unit(units.text(key, quantity.examples), quantity, units.place(key))
                           : si_unit(quantity);
   };
-  const bool slides = alone == Alone::slides;
   return {unit("link_length", quantity::length),
           unit("joint_stiffness", slides ? quantity::sliding_stiffness : quantity::stiffness),
           unit("link_mass", quantity::mass), unit("gravity", quantity::acceleration),
@@ -64,7 +64,7 @@ std::vector<double> in_si(std::vector<double> values, const Unit& unit) {
 
 /// A nominal model in these units.
 NominalChain in_si(NominalChain chain, const Units& units) {
-  if (chain.alone == Alone::no) chain.link_length = in_si(std::move(chain.link_length), units.link_length);
+  if (chain.has_links()) chain.link_length = in_si(std::move(chain.link_length), units.link_length);
   chain.joint_stiffness = in_si(std::move(chain.joint_stiffness), units.joint_stiffness);
   chain.link_mass = in_si(std::move(chain.link_mass), units.link_mass);
   chain.rest = in_si(std::move(chain.rest), units.rest);
@@ -78,10 +78,10 @@ Bench::Plane plane(const Section& bench) {
   return word == "horizontal" ? Bench::Plane::horizontal : Bench::Plane::unknown;
 }
 
-/// \param alone  a joint without a link has no weight
-Bench read_bench(const Section& root, Alone alone) {
-  if (alone != Alone::no && root.has("bench")) root.refuse("bench", "nothing: a joint alone has no weight");
-  if (alone != Alone::no) return {Bench::Plane::horizontal, {0.0, 0.0}, false};
+/// \param has_links  a joint without a link has no weight
+Bench read_bench(const Section& root, bool has_links) {
+  if (!has_links && root.has("bench")) root.refuse("bench", "nothing: a joint alone has no weight");
+  if (!has_links) return {Bench::Plane::horizontal, {0.0, 0.0}, false};
   const Section bench = root.table_or_empty("bench");
   bench.allow_only({"gravity_plane", "gravity_direction"});
   Bench result{Bench::Plane::unknown, {0.0, 0.0}, false};
@@ -101,18 +101,15 @@ Bench read_bench(const Section& root, Alone alone) {
 
 /// Each noise in the unit of its readings.
 Noise read_noise(const Section& noise, const SampleFormat& format) {
-  const std::set<std::string> all{"x", "y", "Fx", "Fy", "Fx_2", "Fy_2", "q", "angle", "torque", "torque_2"};
-  noise.allow_only(all);
-  for (const std::string& key : all)
-    if (noise.has(key) && !has_channel(format.alone, key)) refuse_channel(noise, format.alone, key);
+  std::set<std::string> own;
+  for (const Column& column : format.columns)
+    if (column.reads) own.insert(std::string(column.reads->kind().noise_key));
+  require_keys(noise, format, own);
   Noise read;
-  for (std::size_t column = place_x; column < format.place_covariate1(); ++column) {
-    const std::string key = column == place_q1 ? "q" : format.columns[column].channel;
-    const auto kind =
-        std::ranges::find_if(channel_kinds, [&](const ChannelKind& one) { return one.label == key; });
-    if (kind != channel_kinds.end())
-      read[kind->name] = in_si(noise.non_negative(key), format.columns[column].unit);
-  }
+  for (const Column& column : format.columns)
+    if (column.reads)
+      read[column.reads->name] =
+          in_si(noise.non_negative(std::string(column.reads->kind().noise_key)), column.unit);
   return read;
 }
 
@@ -189,7 +186,7 @@ void read_samples_of(const Section& section, const Shared& shared, bool commande
 bool read_beginning(const Section& section, const Run& run) {
   if (!section.has("begins")) return false;
   const std::string word = section.one_of("begins", {"relaxed", "moving"});
-  if (word == "moving" && run.holds_end_point() && run.alone == Alone::no)
+  if (word == "moving" && run.holds_end_point() && run.imposed().size() > 1)
     section.refuse("begins", "nothing, or \"relaxed\", where the end point is put");
   return word == "moving";
 }
@@ -198,7 +195,7 @@ bool read_beginning(const Section& section, const Run& run) {
 std::vector<double> read_rest(const Section& section, const Shared& shared) {
   const Experiment& experiment = shared.experiment;
   if (!section.has("rest") && !experiment.rest.empty()) return experiment.rest;
-  if (!section.has("rest") && experiment.alone != Alone::no) return {0};
+  if (!section.has("rest") && !experiment.has_links()) return {0};
   const std::vector<double> rest = section.numbers("rest", 0);
   if (rest.size() != experiment.link_length.size())
     throw Error(section.place("rest"), fmt::format("{} values", rest.size()),
@@ -227,8 +224,8 @@ Run read_run(const Section& section, const Shared& shared) {
   Run run;
   run.id = section.name("id", "a name");
   run.alone = shared.experiment.alone;
-  const std::string place = run.alone == Alone::turns ? "angle" : "displacement",
-                    load = run.alone == Alone::turns ? "torque" : "force",
+  const EndKind& end = end_kind(run.alone);
+  const std::string place(end.by_place), load(end.by_load),
                     control = section.one_of("control", {place, load, "command"});
   const bool commanded = control == "command";
   run.control = control == place ? Control::end_point : Control::force;
@@ -269,52 +266,24 @@ void count_from_first_reading(std::vector<Run>& runs) {
     for (Reading& reading : run.readings) reading.t -= first;
 }
 
-Unit unit_or_si(const Section& units, const char* key, const Quantity& quantity) {
-  return units.has(key) ? parse_unit(units.text(key, quantity.examples), quantity, units.place(key))
-                        : si_unit(quantity);
-}
-
-PoseFormat read_pose_format(const Section& root, bool motor_side) {
-  const Section units = root.table_or_empty("units"), columns = root.table_or_empty("columns");
-  units.allow_only({"place", "angle", "force", "torque", "mass"});
-  columns.allow_only({"ignore"});
-  SampleFormat csv = read_csv_format(root);
-  return {csv,
-          {unit_or_si(units, "place", quantity::length), unit_or_si(units, "angle", quantity::angle),
-           unit_or_si(units, "force", quantity::force), unit_or_si(units, "torque", quantity::torque),
-           unit_or_si(units, "mass", quantity::mass)},
-          columns.has("ignore") ? columns.texts("ignore", "names of columns") : std::vector<std::string>{},
-          motor_side};
-}
-
 Run read_poses_of(const Section& section, const Source& source, const PoseFormat& format,
                   const Experiment& experiment) {
-  section.allow_only({"id", "control", "loaded_by", "samples"});
+  section.allow_only({"id", "control", "loaded_by", "samples", "csv", "columns"});
   Run run;
   run.id = section.name("id", "a name");
   run.control = Control::force;
+  run.points = experiment.arm_bench.points.size();
   if (section.has("control") && section.text("control", "\"command\"") != "command")
     section.refuse("control", "\"command\", or no such key, for an arm");
-  for (const SamplePart& part : source.read(section, format.csv)) {
-    const std::vector<Reading> more =
-        read_poses(part.table, part.source, format, experiment, run.readings.size());
-    run.readings.insert(run.readings.end(), more.begin(), more.end());
-  }
+  PoseFormat own = format;
+  own.table = read_sample_format(section, format.table);
+  Samples samples = read_poses(source.read(section, own.table), own, experiment);
+  run.readings = std::move(samples.readings);
+  run.origins = std::move(samples.origins);
   run.rest = run.readings.front().rest;
   run.by_weights =
       !section.has("loaded_by") || section.one_of("loaded_by", {"servo", "weights"}) == "weights";
   return run;
-}
-
-/// The temperature is noted in every run or in none.
-void require_common_temperature(const std::vector<Run>& runs, const std::string& place) {
-  const auto is_noted = [](const Run& run) { return !run.readings.front().covariates.empty(); };
-  for (const Run& run : runs)
-    if (is_noted(run) != is_noted(runs.front()))
-      throw Error(
-          place,
-          fmt::format("runs \"{}\" and \"{}\", of which one has a temperature", runs.front().id, run.id),
-          "a temperature in every run or in none");
 }
 
 /// The settings of an arm in space, from the table [arm] on.
@@ -329,16 +298,9 @@ Experiment read_arm_settings(const Section& root, const Source& source) {
   static_cast<NominalChain&>(experiment) = chain_of(read.arm);
   experiment.arm_bench = read.bench;
   experiment.bench = {Bench::Plane::vertical, {0.0, 0.0}, false};
-  const PoseFormat format = read_pose_format(root, read.motor_side);
-  const Section noise = root.table("noise");
-  noise.allow_only({"place", "turn", "q", "torque"});
-  const PoseUnits& units = format.units;
-  using Name = Channel::Name;
-  for (const auto& [name, unit] : {std::pair(Name::q, &units.angle),
-                                   {Name::place, &units.place},
-                                   {Name::turn, &units.angle},
-                                   {Name::drive, &units.moment}})
-    experiment.noise[name] = in_si(noise.non_negative(std::string(kind_of(name).noise_key)), *unit);
+  PoseFormat format = pose_format(experiment, root.table_or_empty("units"), read.motor_side);
+  format.table = read_sample_format(root, std::move(format.table));
+  experiment.noise = read_noise(root.table("noise"), format.table);
   if (!root.has("run")) throw Error(root.place("run"), "no such key", "at least one [[run]]");
   std::set<std::string> ids;
   for (const Section& section : root.tables("run")) {
@@ -347,8 +309,7 @@ Experiment read_arm_settings(const Section& root, const Source& source) {
       throw Error(section.place("id"), "\"" + experiment.runs.back().id + "\" again",
                   "an id that no other run has");
   }
-  require_common_temperature(experiment.runs, root.place("run"));
-  if (!experiment.runs.front().readings.front().covariates.empty()) experiment.covariates = {"temperature"};
+  experiment.covariates = complete_covariates(experiment.runs, root.place("run"), {});
   count_from_first_reading(experiment.runs);
   return experiment;
 }
@@ -364,14 +325,14 @@ Experiment read_settings(const Section& root, const Source& source, const Nomina
   Experiment experiment;
   experiment.name = root.name("name", "a name");
   const NominalChain nominal = model ? *model : read_nominal(root.table("nominal"));
-  const Units units = read_units(root, nominal.alone);
+  const Units units = read_units(root, nominal.slides(0));
   static_cast<NominalChain&>(experiment) = model ? nominal : in_si(nominal, units);
   experiment.origins = units.origins(model == nullptr);
-  experiment.bench = read_bench(root, nominal.alone);
+  experiment.bench = read_bench(root, nominal.has_links());
   SampleFormat format = standard_format(experiment.link_length.size(), nominal.alone);
   experiment.loads = read_loads(root, experiment, format);
-  for (std::size_t c = format.place_covariate1(); c < format.columns.size(); ++c)
-    experiment.covariates.push_back(format.columns[c].channel);
+  for (const Column& column : format.columns)
+    if (column.says == Says::covariate) experiment.covariates.push_back(column.channel);
   const Shared shared{source, experiment, read_sample_format(root, std::move(format)), units.rest,
                       model ? "the model that is given" : "the nominal chain"};
   experiment.noise = read_noise(root.table("noise"), shared.format);

@@ -58,8 +58,9 @@ void add_values(const Section& section, const Words& words, const Load& load, Sa
   if (names.size() != load.values()) section.refuse(words.values, expected);
   const std::string place = section.place(words.values);
   for (const std::string& name : names) {
-    const auto first = format.columns.begin() + static_cast<std::ptrdiff_t>(format.place_covariate1());
-    if (std::any_of(first, format.columns.end(), [&](const Column& one) { return one.channel == name; }))
+    if (std::ranges::any_of(format.columns, [&](const Column& one) {
+          return one.says == Says::covariate && one.channel == name;
+        }))
       throw Error(place, "\"" + files::shown(name) + "\" again", "a name that no other load has");
     add_covariate(format, name, place, &load.quantity());
   }
@@ -90,7 +91,7 @@ void read_place(const Section& section, std::size_t links, Load& load) {
 
 Load read_load(const Section& section, std::size_t joints, const Section& units, SampleFormat& format) {
   const Words& words = words_of(section);
-  Load load{words.kind, format.covariates};
+  Load load{words.kind, format.covariates()};
   add_values(section, words, load, format);
   if (!words.arms) {
     read_place(section, joints, load);
@@ -108,7 +109,7 @@ Load read_load(const Section& section, std::size_t joints, const Section& units,
 
 std::vector<Load> read_loads(const Section& root, const NominalChain& chain, SampleFormat& format) {
   if (!root.has("load")) return {};
-  if (chain.alone != Alone::no)
+  if (!chain.has_links())
     root.refuse("load", "nothing: a joint alone has its torque or force; loads act along a planar chain");
   const Section units = root.table_or_empty("units");
   std::vector<Load> loads;

@@ -1,35 +1,31 @@
 #pragma once
 /// \file
-/// Reads the table of an arm's poses: a line a reading.
+/// The table of an arm's poses: a line a reading.
 
 #include <vector>
 
 #include "diagnose/bench/experiment.hpp"
-#include "diagnose/bench/sample_table.hpp"
+#include "diagnose/bench/read_samples.hpp"
+#include "diagnose/bench/section.hpp"
 
 namespace plumbline::diagnose {
 
-/// The units of the columns, which all columns of a kind share.
-struct PoseUnits {
-  Unit place, angle, force, moment, mass;
-};
-
 /// The format of a table of poses.
 struct PoseFormat {
-  SampleFormat csv;  ///< of the file
-  PoseUnits units;
-  std::vector<std::string> ignored;  ///< names of columns that are left out
-  bool motor_side;                   ///< q is what is commanded
+  SampleFormat table;
+  bool motor_side;  ///< q is what is commanded
 };
 
-/// Columns, by their names in the header: t; q_command1 …; q1 …; NAME_x, NAME_y, NAME_z of a point, NAME_rx …
-/// or NAME_qw, NAME_qx … of its orientation; Fx … Mz or weight at the load; torque1 …; temperature, the only
-/// covariate.
+/// Columns by their names: t; q_command1 …; q1 …; torque1 …; NAME_x, NAME_y, NAME_z of a point, NAME_rx … or
+/// NAME_qw, NAME_qx … of its orientation; Fx … Mz or weight at the load; temperature. [columns] has one key for
+/// those of a point: NAME, NAME_r, NAME_q.
 /// \param experiment  with its arm and bench
-/// \param before      number of readings before these: without a column t they are counted on
-/// \throws Error that names the source and the line: a column of no meaning or of a point that there is not, one
-///         without the others of its kind, a field that is no number, no command, a quaternion that is none
-std::vector<Reading> read_poses(const SampleTable& table, const std::string& source, const PoseFormat& format,
-                                const Experiment& experiment, std::size_t before);
+/// \param units       of all columns of a kind
+PoseFormat pose_format(const Experiment& experiment, const Section& units, bool motor_side);
+
+/// Orientations become rotations from the nominal ones, weights wrenches.
+/// \throws Error that names the source and the line: what read_samples() refuses, a quaternion that is none, two
+///         orientations of a point, a weight beside a wrench
+Samples read_poses(std::vector<SamplePart> parts, const PoseFormat& format, const Experiment& experiment);
 
 }  // namespace plumbline::diagnose

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <plumbline/base/error.hpp>
 
@@ -11,6 +12,8 @@
 
 namespace plumbline::diagnose {
 namespace {
+
+constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 
 /// Parts that were taken at the same times, or a single one.
 class Joined {
@@ -20,6 +23,7 @@ class Joined {
       const auto owner =
           std::find_if(parts_.begin(), parts_.end(), [c](const PartReader* one) { return one->has(c); });
       owners_.push_back(owner == parts_.end() ? parts_.front() : *owner);
+      has_wrench_ |= format().columns[c].says == Says::wrench && owner != parts_.end();
     }
     for (const PartReader* other : parts_)
       if (other != parts_.front()) require_same_times(*other);
@@ -31,18 +35,28 @@ class Joined {
   [[nodiscard]] const PartReader& first() const { return *parts_.front(); }
 
   [[nodiscard]] Reading reading(std::size_t row, Control control) const {
-    const auto value = [&](std::size_t c) { return owners_[c]->value(c, row); };
-    const std::size_t second = format().place_second1();
-    Reading reading{
-        value(place_t),
-        {value(place_x), value(place_y), value(place_Fx), value(place_Fy), value(second), value(second + 1)}};
-    const std::vector<double> q = angles(place_q1, &SampleFormat::absolute_angles, row);
-    reading.value.insert(reading.value.end(), q.begin(), q.end());
-    reading.rest = angles(format().place_command1(), &SampleFormat::absolute_commands, row);
-    for (std::size_t c = format().place_covariate1(); c < owners_.size(); ++c)
-      reading.covariates.push_back(value(c));
+    const bool one_way = end_kind(format().alone).place.size() == 1, is_free = format().free_end;
+    Reading reading{value(0, row),
+                    {no_value, one_way ? 0 : no_value, is_free ? 0 : no_value, one_way || is_free ? 0 : no_value}};
+    for (std::size_t c = 0; c < owners_.size(); ++c) {
+      const Column& column = format().columns[c];
+      const double one = value(c, row);
+      if (column.says == Says::channel) column.reads->in(reading) = one;
+      if (column.says == Says::command && owners_[c]->has(c)) reading.rest.push_back(one);
+      if (column.says == Says::wrench && has_wrench_) reading.wrench.push_back(owners_[c]->has(c) ? one : 0);
+      if (column.says == Says::covariate) reading.covariates.push_back(one);
+    }
+    make_relative(reading);
     require_given(reading, row, control);
     return reading;
+  }
+
+  /// What neither channels nor commands say, in the order of the columns.
+  [[nodiscard]] std::vector<double> further(std::size_t row) const {
+    std::vector<double> all;
+    for (std::size_t c = 0; c < owners_.size(); ++c)
+      if (format().columns[c].says == Says::other) all.push_back(value(c, row));
+    return all;
   }
 
   [[nodiscard]] std::vector<Origin> origins() const {
@@ -68,40 +82,50 @@ class Joined {
       if (row >= first().rows())
         throw Error(other.where(row) + ", t", other.written_time(row),
                     fmt::format("{} readings, as in {}", first().rows(), first().source()));
-      if (other.value(place_t, row) != first().value(place_t, row))
+      if (other.value(0, row) != first().value(0, row))
         throw Error(other.where(row) + ", t", other.written_time(row),
                     fmt::format("{}, the time of {}", first().written_time(row), first().where(row)));
     }
   }
 
-  /// Relative joint angles; empty where no part has them.
-  [[nodiscard]] std::vector<double> angles(std::size_t place1, bool SampleFormat::*absolute,
-                                           std::size_t row) const {
-    std::vector<double> all;
-    for (std::size_t c = place1; c < place1 + format().joints() && owners_[c]->has(c); ++c)
-      all.push_back(owners_[c]->value(c, row));
-    if (owners_[place1]->format().*absolute) std::adjacent_difference(all.begin(), all.end(), all.begin());
-    return all;
+  [[nodiscard]] double value(std::size_t c, std::size_t row) const { return owners_[c]->value(c, row); }
+
+  /// The part that has the first column of a key.
+  [[nodiscard]] const PartReader& owner_of(std::string_view key) const {
+    const auto column =
+        std::ranges::find_if(format().columns, [&](const Column& one) { return one.key() == key; });
+    return column == format().columns.end()
+               ? first()
+               : *owners_[static_cast<std::size_t>(column - format().columns.begin())];
+  }
+
+  /// Joint angles and commands that count from x, not from the link before.
+  void make_relative(Reading& reading) const {
+    if (owner_of("q_command").format().absolute_commands)
+      std::adjacent_difference(reading.rest.begin(), reading.rest.end(), reading.rest.begin());
+    if (!owner_of("q").format().absolute_angles) return;
+    const auto first = reading.value.begin() + column_q;
+    std::adjacent_difference(first, first + std::ranges::count(format().columns, "q", &Column::group), first);
   }
 
   void require_given(const Reading& r, std::size_t row, Control control) const {
     if (std::isnan(r.t)) throw Error(first().where(row) + ", t", "an empty field", "the time of the reading");
-    const bool displacement = control == Control::end_point;
-    if (std::isnan(r[displacement ? column_x : column_Fx]) ||
-        std::isnan(r[displacement ? column_y : column_Fy])) {
-      const std::size_t one = displacement ? place_x : place_Fx, other = displacement ? place_y : place_Fy;
-      const auto& name = format().columns;
-      throw Error(owners_[one]->where(row), "an empty imposed channel",
-                  "the commanded " + name[one].channel +
-                      (format().alone == Alone::no ? " and " + name[other].channel : ""));
-    }
-    if (std::any_of(r.rest.begin(), r.rest.end(), [](double angle) { return std::isnan(angle); }))
-      throw Error(owners_[format().place_command1()]->where(row), "an empty q_command",
+    const EndKind& end = end_kind(format().alone);
+    const std::vector<Channel>& imposed = control == Control::end_point ? end.place : end.load;
+    if (std::ranges::any_of(imposed, [&](const Channel& one) { return std::isnan(one.of(r)); }))
+      throw Error(owner_of(imposed.front().label()).where(row), "an empty imposed channel",
+                  "the commanded " + imposed.front().label() +
+                      (imposed.size() > 1 ? " and " + imposed.back().label() : ""));
+    if (std::ranges::any_of(r.rest, [](double angle) { return std::isnan(angle); }))
+      throw Error(owner_of("q_command").where(row), "an empty q_command",
                   "the commanded angle of every joint");
+    if (std::ranges::any_of(r.wrench, [](double component) { return std::isnan(component); }))
+      throw Error(first().where(row), "an empty load", "the load of every reading");
   }
 
   std::vector<const PartReader*> parts_;
   std::vector<const PartReader*> owners_;  ///< by column of the format, the part that has it
+  bool has_wrench_ = false;
   std::size_t rows_ = 0;
 };
 
@@ -111,7 +135,7 @@ bool follows(const SamplePart& part, const ColumnPlaces& places, const SamplePar
              const ColumnPlaces& of_other) {
   std::string common;
   bool differs = false;
-  for (std::size_t c = place_t + 1; c < places.size(); ++c) {
+  for (std::size_t c = 1; c < places.size(); ++c) {
     if (places[c] && of_other[c]) common = part.format.columns[c].channel;
     if (places[c].has_value() != of_other[c].has_value()) differs = true;
   }
@@ -120,7 +144,7 @@ bool follows(const SamplePart& part, const ColumnPlaces& places, const SamplePar
     throw Error(part.source, common + " as in " + other.source + ", and other channels",
                 "the same channels, to follow it, or different ones alone, to be joined by t");
   for (const auto& [one, of_one] : {std::pair(&other, &of_other), std::pair(&part, &places)})
-    if (!(*of_one)[place_t])
+    if (!of_one->front())
       throw Error(one->source, "no column of t", "the times by which the parts of the run are joined");
   return false;
 }
@@ -161,6 +185,8 @@ Samples read_samples(const std::vector<SamplePart>& parts, Control control) {
     if (samples.origins.empty()) samples.origins = part.origins();
     for (std::size_t row = 0; row < part.rows(); ++row) {
       samples.readings.push_back(part.reading(row, control));
+      samples.further.push_back(part.further(row));
+      samples.where.push_back(part.first().where(row));
       if (const std::size_t count = samples.readings.size(); count > 1)
         require_order(part, row, samples.readings[count - 1], samples.readings[count - 2]);
     }

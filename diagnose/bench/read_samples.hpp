@@ -12,7 +12,10 @@ namespace plumbline::diagnose {
 /// The contents of a sample file.
 struct Samples {
   std::vector<Reading> readings;  ///< in SI; an empty measured field is NaN
-  std::vector<Origin> origins;    ///< of each channel
+  std::vector<Origin> origins;    ///< of each column
+  /// By reading, the columns that say neither channel nor command, and the place of its line.
+  std::vector<std::vector<double>> further;
+  std::vector<std::string> where;
 };
 
 /// Parts that have the same channels follow one another. Parts that have different ones were taken at the

@@ -1,7 +1,8 @@
 #include "diagnose/bench/sample_columns.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <array>
 #include <plumbline/base/error.hpp>
 
 #include "support/files/printable.hpp"
@@ -24,35 +25,52 @@ class Finder {
                          ? source
                          : source + ":" + std::to_string(table.header_line)) {}
 
-  /// Without [columns] two headers are accepted.
+  /// Without [columns] two headers are accepted: with the joints' angles and without.
   void require_header() const {
-    const std::size_t all = format_.place_command1();
-    if (!format_.header || table_.header == names(place_q1) || table_.header == names(all)) return;
+    std::vector<std::string> few, all;
+    for (const Column& column : format_.columns) {
+      if (column.says != Says::time && !in_standard_order(column)) continue;
+      if (column.group.empty()) few.push_back(column.channel);
+      all.push_back(column.channel);
+    }
+    if (!format_.header || table_.header == few || table_.header == all) return;
     throw Error(header_line_, header(),
-                "'" + with_commas(names(place_q1)) + "' or '" + with_commas(names(all)) +
+                "'" + with_commas(few) + "' or '" + with_commas(all) +
                     "', or a table [columns] that says which column is which" + hint());
+  }
+
+  /// \throws Error for a column of no meaning
+  void require_known() const {
+    if (!format_.all_known) return;
+    std::string names;
+    for (const Column& column : format_.columns) names += (names.empty() ? "" : ", ") + column.name;
+    for (const std::string& name : table_.header) {
+      if (std::ranges::count(table_.header, name) > 1)
+        throw Error(header_line_, "two columns '" + files::shown(name) + "'", "names that differ");
+      if (std::ranges::count(format_.columns, name, &Column::name) == 0 &&
+          std::ranges::count(format_.ignored, name) == 0)
+        throw Error(header_line_, "a column '" + files::shown(name) + "'",
+                    names + "; or columns.ignore = [\"" + files::shown(name) + "\"]");
+    }
   }
 
   /// \param required  whether a column that experiment.toml names has to be here
   [[nodiscard]] std::optional<std::size_t> place(std::size_t c, bool required) const {
     const Column& column = format_.columns[c];
-    const bool command = c >= format_.place_command1() && c < format_.place_second1(),
-               second = c >= format_.place_second1() && c < format_.place_covariate1(),
-               angle = c >= place_q1 && c < format_.place_command1();
-    if (column.constant || (command && !format_.commanded) || (angle && format_.alone != Alone::no))
-      return {};
+    if (column.constant || (column.says == Says::command && !format_.commanded)) return {};
     if (column.number > 0) return numbered(column.number, required ? column.place : "");
-    if (second && !format_.header) return {};  // has no place in the standard order
-    if (!format_.header && !format_.any_order) return numbered(c + 1, "");  // in the standard order
+    if (column.says == Says::channel && !in_standard_order(column) && !format_.header) return {};
+    if (!format_.header && !format_.any_order) return numbered(c + 1, "");
     return named(column, required);
   }
 
   /// \param given  by column, whether any part has it
   void require_imposed(const std::vector<bool>& given, Control control) const {
-    const std::array displacement{place_x, place_y}, force{place_Fx, place_Fy};
-    for (const auto c : control == Control::end_point ? displacement : force) {
+    const EndKind& end = end_kind(format_.alone);
+    for (std::size_t c = 0; c < given.size(); ++c) {
       const std::string& channel = format_.columns[c].channel;
-      if (given[c]) continue;
+      if (given[c] || !format_.columns[c].reads_any(control == Control::end_point ? end.place : end.load))
+        continue;
       throw Error(header_line_, "no column '" + channel + "', which the run imposes",
                   "the column, or a key columns." + channel + " that names another" + hint());
     }
@@ -61,8 +79,9 @@ class Finder {
   /// Columns of commanded angles have a place where the run imposes them, and are not left out in silence
   /// elsewhere.
   void require_commands(const std::vector<bool>& given) const {
-    for (std::size_t c = format_.place_command1(); c < format_.place_second1(); ++c) {
+    for (std::size_t c = 0; c < given.size(); ++c) {
       const Column& column = format_.columns[c];
+      if (column.says != Says::command) continue;
       if (format_.commanded && !given[c])
         throw Error(header_line_, "no column '" + column.channel + "', which the run imposes",
                     "the column, or a key columns.q_command that names another" + hint());
@@ -73,20 +92,27 @@ class Finder {
     }
   }
 
-  void require_angles(const std::vector<bool>& given) const {
-    const auto joints = static_cast<std::ptrdiff_t>(format_.joints());
-    const auto first = given.begin() + place_q1;
-    const auto there = std::count(first, first + joints, true);
-    if (there != 0 && there != joints)
-      throw Error(header_line_, std::to_string(there) + " columns of joint angles",
-                  "all " + std::to_string(joints) + ", or none");
+  /// Columns of one group are there together or not at all.
+  void require_groups(const std::vector<bool>& given) const {
+    for (const Column& one : format_.columns) {
+      std::size_t all = 0, there = 0;
+      std::string names;
+      for (std::size_t c = 0; c < given.size(); ++c) {
+        if (one.group.empty() || format_.columns[c].group != one.group) continue;
+        ++all, there += given[c];
+        names += (names.empty() ? "" : ", ") + format_.columns[c].name;
+      }
+      if (there != 0 && there != all)
+        throw Error(header_line_, fmt::format("{} of the columns {}", there, files::shown(names)),
+                    fmt::format("all {}, or none", all));
+    }
   }
 
  private:
-  [[nodiscard]] std::vector<std::string> names(std::size_t count) const {
-    std::vector<std::string> all;
-    for (std::size_t c = 0; c < count; ++c) all.push_back(format_.columns[c].channel);
-    return all;
+  /// Whether a file without [columns] has it: the end point, its load and the joints' angles.
+  [[nodiscard]] bool in_standard_order(const Column& column) const {
+    const EndKind& end = end_kind(format_.alone);
+    return column.reads_any(end.place) || column.reads_any(end.load) || column.group == "q";
   }
 
   [[nodiscard]] std::string header() const {
@@ -130,6 +156,7 @@ std::vector<ColumnPlaces> column_places(const std::vector<SamplePart>& parts, Co
   for (std::size_t p = 0; p < parts.size(); ++p) {
     const Finder finder(parts[p].table, parts[p].format, parts[p].source);
     if (alone && !parts[p].format.any_order) finder.require_header();
+    finder.require_known();
     for (std::size_t c = 0; c < count; ++c) {
       all[p].push_back(finder.place(c, alone));
       if (all[p][c] || parts[p].format.columns[c].constant) given[c] = true;
@@ -140,7 +167,7 @@ std::vector<ColumnPlaces> column_places(const std::vector<SamplePart>& parts, Co
     if (!given[c]) static_cast<void>(first.place(c, true));
   if (!parts.front().format.free_end) first.require_imposed(given, control);
   first.require_commands(given);
-  first.require_angles(given);
+  first.require_groups(given);
   return all;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <map>
 #include <plumbline/base/error.hpp>
 #include <regex>
 #include <set>
@@ -14,21 +15,6 @@
 
 namespace plumbline::diagnose {
 namespace {
-
-using SingleChannels = std::array<std::pair<const char*, const Quantity*>, 5>;
-
-/// In the order of their places.
-SingleChannels single_channels(Alone alone) {
-  using namespace quantity;
-  SingleChannels all{{{"t", &time}, {"x", &length}, {"y", &length}, {"Fx", &force}, {"Fy", &force}}};
-  if (alone == Alone::turns) all[place_x] = {"angle", &angle}, all[place_Fx] = {"torque", &torque};
-  return all;
-}
-
-/// That in which joints move.
-const Quantity& of_joints(Alone alone) {
-  return alone == Alone::slides ? quantity::length : quantity::angle;
-}
 
 char delimiter(const Section& csv) {
   const std::string word = csv.one_of("delimiter", {",", ";", "|", "tab", "blanks"});
@@ -58,15 +44,6 @@ std::string decimal_text(double value) {
   return fmt::format("{}", value);
 }
 
-/// The column of a channel that has its name.
-/// \param place  of the key that names it, or empty
-Column own_column(const std::string& channel, const Quantity* quantity, const std::string& place) {
-  Column column{channel, channel, 0, {}, quantity ? si_unit(*quantity) : Unit{}};
-  column.place = place;
-  column.quantity = quantity;
-  return column;
-}
-
 /// A node of one channel: a name, a number, or a table.
 class ColumnReader {
  public:
@@ -74,7 +51,12 @@ class ColumnReader {
 
   /// \param all  the columns of the key: one, or those of q
   void read(std::vector<Column*> all) const {
-    for (Column* column : all) *column = own_column(column->channel, column->quantity, columns_.place(key_));
+    for (Column* column : all) {
+      Column own = own_column(column->channel, column->quantity, columns_.place(key_));
+      own.says = column->says, own.reads = column->reads, own.group = column->group;
+      own.unit = own.usual_unit = column->usual_unit;
+      *column = std::move(own);
+    }
     const toml::node& node = columns_.node(key_);
     if (node.is_table()) {
       read_table(columns_.table(key_), all);
@@ -84,11 +66,9 @@ class ColumnReader {
   }
 
  private:
-  /// Whether the key has a column for each joint.
-  [[nodiscard]] bool is_list() const { return key_ == "q" || key_ == "q_command"; }
-
   void read_table(const Section& table, const std::vector<Column*>& all) const {
-    std::set<std::string> known{"column", "sign", "zero", is_list() ? "absolute" : "constant"};
+    const bool is_list = !all.front()->group.empty();
+    std::set<std::string> known{"column", "sign", "zero", is_list ? "absolute" : "constant"};
     const Quantity* quantity = all.front()->quantity;
     if (quantity) known.insert("unit");
     table.allow_only(known);
@@ -110,10 +90,11 @@ class ColumnReader {
   /// one joint the column itself.
   void read_source(const Section& table, const std::string& key, const std::vector<Column*>& all) const {
     const std::string one = "the name of a column, or its number from 1";
-    const std::string expected = is_list() ? fmt::format("a list of {}, each {}", all.size(), one) : one;
+    const bool is_list = !all.front()->group.empty();
+    const std::string expected = is_list ? fmt::format("a list of {}, each {}", all.size(), one) : one;
     const toml::node& node = table.node(key);
     std::vector<const toml::node*> nodes;
-    if (const toml::array* list = is_list() ? node.as_array() : nullptr) {
+    if (const toml::array* list = is_list ? node.as_array() : nullptr) {
       for (const toml::node& entry : *list) nodes.push_back(&entry);
     } else {
       nodes.push_back(&node);
@@ -157,17 +138,6 @@ class ColumnReader {
   std::string key_;
 };
 
-/// The columns of a key with one for each joint.
-/// \param first  place of that of joint 1
-void read_angles(const Section& columns, const std::string& key, std::size_t first, SampleFormat& format,
-                 bool& absolute) {
-  if (!columns.has(key)) return;
-  std::vector<Column*> angles;
-  for (std::size_t i = 0; i < format.joints(); ++i) angles.push_back(&format.columns[first + i]);
-  ColumnReader(columns, key).read(angles);
-  absolute = columns.node(key).is_table() && columns.table(key).flag_or("absolute", false);
-}
-
 /// Whether expressions can have a variable of this name beside their own.
 bool can_name_covariate(const std::string& name) {
   static const std::regex form("[A-Za-z][A-Za-z0-9_]{0,39}"), own("[xytsdk]|F[xy](_2)?|torque_2|q[0-9]*|run");
@@ -176,9 +146,9 @@ bool can_name_covariate(const std::string& name) {
 
 void read_covariates(const Section& covariates, SampleFormat& format) {
   for (const std::string& name : covariates.keys()) {
-    const auto first = format.columns.begin() + static_cast<std::ptrdiff_t>(format.place_covariate1());
-    const auto known =
-        std::find_if(first, format.columns.end(), [&](const Column& one) { return one.channel == name; });
+    const auto known = std::ranges::find_if(format.columns, [&](const Column& one) {
+      return one.says == Says::covariate && one.channel == name;
+    });
     Column& column =
         known == format.columns.end() ? add_covariate(format, name, covariates.place(name)) : *known;
     ColumnReader(covariates, name).read({&column});
@@ -186,63 +156,96 @@ void read_covariates(const Section& covariates, SampleFormat& format) {
 }
 
 void read_columns(const Section& columns, SampleFormat& format) {
-  const SingleChannels single = single_channels(format.alone);
-  const std::set<std::string> all{"t",     "x",      "y",        "Fx",   "Fy",   "q",        "q_command",
-                                  "angle", "torque", "torque_2", "Fx_2", "Fy_2", "covariate"};
-  columns.allow_only(all);
-  for (const std::string& key : all)
-    if (columns.has(key) && !has_channel(format.alone, key)) refuse_channel(columns, format.alone, key);
+  std::set<std::string> own{format.all_known ? "ignore" : "covariate"};
+  for (const Column& column : format.columns)
+    if (column.says != Says::covariate || format.all_known) own.insert(column.key());
+  require_keys(columns, format, own);
+  if (columns.has("ignore")) format.ignored = columns.texts("ignore", "names of columns");
   format.any_order = true;
-  for (std::size_t c = 0; c < single.size(); ++c) {
-    const char* key = single[c].first;
-    if (columns.has(key)) ColumnReader(columns, key).read({&format.columns[c]});
-  }
-  read_angles(columns, "q", place_q1, format, format.absolute_angles);
-  read_angles(columns, "q_command", format.place_command1(), format, format.absolute_commands);
-  for (std::size_t c = format.place_second1(); c < format.place_covariate1(); ++c)
-    if (const std::string key = format.columns[c].channel; columns.has(key))
-      ColumnReader(columns, key).read({&format.columns[c]});
+  std::map<std::string, std::vector<Column*>> by_key;
+  for (Column& column : format.columns)
+    if (own.contains(column.key())) by_key[column.key()].push_back(&column);
+  for (const auto& [key, named] : by_key)
+    if (columns.has(key)) ColumnReader(columns, key).read(named);
+  const auto are_absolute = [&](const char* key) {
+    return columns.has(key) && columns.node(key).is_table() && columns.table(key).flag_or("absolute", false);
+  };
+  if (columns.has("q")) format.absolute_angles = are_absolute("q");
+  if (columns.has("q_command")) format.absolute_commands = are_absolute("q_command");
   if (columns.has("covariate")) read_covariates(columns.table("covariate"), format);
+}
+
+const Quantity& quantity_of(Sensor sensor) {
+  switch (sensor) {
+    case Sensor::position:
+      return quantity::length;
+    case Sensor::force:
+    case Sensor::second_force:
+      return quantity::force;
+    case Sensor::torque:
+    case Sensor::second_torque:
+      return quantity::torque;
+    case Sensor::angle:
+    case Sensor::orientation:
+      break;
+  }
+  return quantity::angle;
+}
+
+/// The column of a channel in the unit of its kind.
+Column channel_column(const Channel& channel, const Quantity& quantity) {
+  Column column = own_column(channel.label(), &quantity);
+  column.says = Says::channel, column.reads = channel;
+  if (channel.kind().index == ChannelKind::Index::joint) column.group = channel.kind().label;
+  return column;
 }
 
 }  // namespace
 
-bool has_channel(Alone alone, const std::string& key) {
-  const bool own = key == "t" || key == "q_command" || key == "covariate";
-  switch (alone) {
-    case Alone::turns:
-      return own || key == "angle" || key == "torque" || key == "torque_2";
-    case Alone::slides:
-      return own || key == "x" || key == "Fx" || key == "Fx_2";
-    case Alone::no:
-      break;
-  }
-  return key != "angle" && key != "torque" && key != "torque_2";
+std::size_t SampleFormat::covariates() const {
+  return static_cast<std::size_t>(std::ranges::count(columns, Says::covariate, &Column::says));
 }
 
-void refuse_channel(const Section& section, Alone alone, const std::string& key) {
-  section.refuse(key, alone == Alone::no ? "nothing: angle and torque are of a joint alone, nominal.joint"
-                      : alone == Alone::turns ? "nothing: a joint that turns has an angle and a torque"
-                                              : "nothing: a joint that slides has x and Fx");
+void require_keys(const Section& section, const SampleFormat& format, const std::set<std::string>& own) {
+  std::set<std::string> all = own;
+  if (!format.all_known)
+    for (const Channel& channel : end_channels()) all.insert(channel.label());
+  if (!format.all_known) all.insert("q");
+  section.allow_only(all);
+  for (const std::string& key : section.keys())
+    if (!own.contains(key)) section.refuse(key, std::string(end_kind(format.alone).has_others));
+}
+
+Column own_column(const std::string& channel, const Quantity* quantity, const std::string& place) {
+  const Unit unit = quantity ? si_unit(*quantity) : Unit{};
+  Column column{channel, channel, 0, {}, unit, unit};
+  column.place = place;
+  column.quantity = quantity;
+  return column;
 }
 
 SampleFormat standard_format(std::size_t joints, Alone alone) {
   SampleFormat format;
   format.alone = alone;
   format.any_order = alone != Alone::no;
-  for (const auto& [name, quantity] : single_channels(alone))
-    format.columns.push_back(own_column(name, quantity, ""));
-  if (alone != Alone::no)
-    for (const std::size_t place : {place_y, place_Fy}) format.columns[place].constant = "0";
-  for (const char* key : {"q", "q_command"})
-    for (std::size_t i = 1; i <= joints; ++i) {
-      const std::string name = key + std::to_string(i);
-      format.columns.push_back(own_column(name, &of_joints(alone), ""));
-    }
-  for (const std::size_t place : {place_Fx, place_Fy}) {
-    const Column& first = format.columns[place];
-    format.columns.push_back(own_column(first.channel + "_2", first.quantity, ""));
+  const EndKind& end = end_kind(alone);
+  format.columns.push_back(own_column("t", &quantity::time));
+  format.columns.back().says = Says::time;
+  for (const auto& channels : {end.place, end.load})
+    for (const Channel& channel : channels)
+      format.columns.push_back(channel_column(channel, quantity_of(channel.sensor())));
+  if (end.joint_angles)
+    for (std::size_t j = 0; j < joints; ++j)
+      format.columns.push_back(channel_column(Channel(Channel::Name::q, j), quantity::angle));
+  for (std::size_t j = 0; j < joints; ++j) {
+    format.columns.push_back(own_column("q_command" + std::to_string(j + 1), &quantity_of(end.joint)));
+    format.columns.back().says = Says::command, format.columns.back().group = "q_command";
   }
+  for (const Channel& channel : end.second)
+    format.columns.push_back(channel_column(channel, quantity_of(channel.sensor())));
+  for (const ChannelKind& kind : channel_kinds)
+    for (std::size_t j = 0; end.joint_angles && kind.of == ChannelKind::Of::chain && j < joints; ++j)
+      format.columns.push_back(channel_column(Channel(kind.name, j, joints), quantity_of(kind.sensor)));
   return format;
 }
 
@@ -251,23 +254,15 @@ Column& add_covariate(SampleFormat& format, const std::string& name, const std::
   if (!can_name_covariate(name))
     throw Error(place, "\"" + files::shown(name) + "\", a covariate of that name",
                 "letters, digits and _, and no variable of expressions such as t, q or Fx");
-  if (format.covariates == most_covariates)
+  if (format.covariates() == most_covariates)
     throw Error(place, fmt::format("{} covariates", most_covariates + 1),
                 fmt::format("at most {}", most_covariates));
-  ++format.covariates;
   return format.columns.emplace_back(own_column(name, quantity, place));
 }
 
 SampleFormat read_sample_format(const Section& section, SampleFormat format) {
   if (section.has("csv")) read_csv(section.table("csv"), format);
   if (section.has("columns")) read_columns(section.table("columns"), format);
-  return format;
-}
-
-SampleFormat read_csv_format(const Section& section) {
-  SampleFormat format;
-  if (section.has("csv")) read_csv(section.table("csv"), format);
-  if (!format.header) section.table("csv").refuse("header", "true: columns are told by their names");
   return format;
 }
 

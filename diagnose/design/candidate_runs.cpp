@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "diagnose/bench/end_kind.hpp"
 #include "diagnose/design/commanded_runs.hpp"
 #include "diagnose/design/load_sweeps.hpp"
 #include "diagnose/rig/nominal.hpp"
@@ -23,10 +24,10 @@ struct Direction {
   Vector2 along;
 };
 
-/// A joint alone goes one way or the other.
-const std::vector<Direction>& directions(Alone alone) {
+/// Where one channel is imposed it goes one way or the other.
+const std::vector<Direction>& directions(const EndKind& end) {
   static const std::vector<Direction> line{{"the negative way", {-1, 0}}, {"the positive way", {1, 0}}};
-  if (alone != Alone::no) return line;
+  if (end.place.size() == 1) return line;
   static const std::vector<Direction> all{{"along -x", {-1, 0}},
                                           {"along +x", {1, 0}},
                                           {"along +y", {0, 1}},
@@ -60,7 +61,7 @@ double reached(const Run& run) {
   if (!run.commands_joints()) return 0;
   return largest_deflection(run, [&](std::size_t reading, std::size_t joint) {
     const Reading& one = run.readings[reading];
-    return one[run.alone != Alone::no ? column_x : Channel(Channel::Name::q, joint).column];
+    return one[end_kind(run.alone).joint_angles ? Channel(Channel::Name::q, joint).column : column_x];
   });
 }
 
@@ -113,12 +114,13 @@ std::vector<CandidateRun> presses(const Experiment& experiment, const Shape& sha
                                   const OperatingEnvelope& so_far) {
   std::vector<CandidateRun> all;
   const Vector2 start = unloaded_end(experiment, shape.rest);
-  const bool turns = shape.alone == Alone::turns;
-  for (const Direction& one : directions(shape.alone))
+  const EndKind& end = end_kind(shape.alone);
+  const bool turns = end.place.front().sensor() == Sensor::angle;
+  for (const Direction& one : directions(end))
     for (const double by : ways(experiment, shape, start, one.along, so_far))
       for (const bool back : {false, true})
         all.push_back({fmt::format("{} {} by {:.3g} {} from {}{}", turns ? "turn" : "press", one.name, by,
-                                   turns ? "rad" : "m", shape.words, back ? " and unload" : ""),
+                                   end.place.front().unit(), shape.words, back ? " and unload" : ""),
                        gone(shape, start, by * one.along, back, so_far)});
   return all;
 }
@@ -155,12 +157,13 @@ namespace {
 std::vector<CandidateRun> loads(const Experiment& experiment, const Shape& shape,
                                 const OperatingEnvelope& so_far) {
   std::vector<CandidateRun> all;
-  for (const Direction& one : directions(shape.alone)) {
+  const EndKind& end = end_kind(shape.alone);
+  for (const Direction& one : directions(end)) {
     const std::optional<Vector2> load = bearable_load(experiment, shape, one.along, so_far);
     if (!load) continue;
     for (const bool back : {false, true})
       all.push_back({fmt::format("load with {:.3g} {} {} from {}{}", load->norm(),
-                                 shape.alone == Alone::turns ? "N m" : "N", one.name, shape.words,
+                                 end.load.front().unit(), one.name, shape.words,
                                  back ? " and unload" : ""),
                      gone(shape, {0, 0}, *load, back, so_far)});
   }
@@ -231,11 +234,11 @@ std::vector<Shape> shapes(const Experiment& experiment, std::size_t most) {
   for (const Run& run : experiment.runs)
     if (!run.commands_joints()) runs.push_back(&run);
   std::sort(runs.begin(), runs.end(), [](const Run* a, const Run* b) { return a->id < b->id; });
-  const bool alone = experiment.alone != Alone::no;
+  const bool bends = experiment.has_links();
   for (const Run* run : runs)
-    add({run->control, run->rest, (alone ? "the rest of " : "the rest shape of ") + run->id, run->alone});
+    add({run->control, run->rest, (bends ? "the rest shape of " : "the rest of ") + run->id, run->alone});
   for (const Run* run : runs)
-    if (!alone) add({run->control, mirrored(run->rest), "the mirrored rest shape of " + run->id});
+    if (bends) add({run->control, mirrored(run->rest), "the mirrored rest shape of " + run->id});
   return all;
 }
 

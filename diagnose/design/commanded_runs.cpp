@@ -22,8 +22,8 @@ bool moves(const CommandRange& range) {
 }
 
 /// "20, -45 degrees".
-std::string in_words(const std::vector<double>& command, Alone alone) {
-  if (alone == Alone::slides) return fmt::format("{:.3g} m", fmt::join(command, ", "));
+std::string in_words(const std::vector<double>& command, const Experiment& experiment) {
+  if (experiment.slides(0)) return fmt::format("{:.3g} m", fmt::join(command, ", "));
   std::vector<double> degrees;
   for (const double angle : command) degrees.push_back(std::round(angle * 180 / std::numbers::pi) + 0.0);
   return fmt::format("{:.0f} degrees", fmt::join(degrees, ", "));
@@ -35,7 +35,7 @@ Run commanded(const Experiment& experiment, const std::vector<std::vector<double
   Run run{"proposed", Control::force, commands.front(), {}};
   run.alone = experiment.alone;
   run.by_weights = true;
-  const double across = run.alone == Alone::no ? unseen : 0;
+  const double across = experiment.has_links() ? unseen : 0;
   for (const std::vector<double>& command : commands)
     run.readings.push_back({static_cast<double>(run.readings.size()) * so_far.sampling_interval,
                             {unseen, across, 0, 0},
@@ -56,7 +56,7 @@ std::vector<CandidateRun> poses(const Experiment& experiment, const std::vector<
     const bool known =
         std::any_of(all.begin(), all.end(), [&](const CandidateRun& one) { return one.run.rest == pose; });
     if (!known)
-      all.push_back({"hold " + in_words(pose, experiment.alone), commanded(experiment, {pose}, so_far)});
+      all.push_back({"hold " + in_words(pose, experiment), commanded(experiment, {pose}, so_far)});
   }
   return all;
 }
@@ -75,8 +75,8 @@ std::vector<CandidateRun> sweeps(const Experiment& experiment, const std::vector
       commands.back()[j] = joints[j].at(static_cast<double>(std::min(i, 2 * steps - i)) / steps);
     }
     all.push_back({fmt::format("sweep joint {} slowly from {} to {} and back", j + 1,
-                               in_words({joints[j].low}, experiment.alone),
-                               in_words({joints[j].high}, experiment.alone)),
+                               in_words({joints[j].low}, experiment),
+                               in_words({joints[j].high}, experiment)),
                    commanded(experiment, commands, so_far)});
   }
   return all;

@@ -154,7 +154,7 @@ Writer writer(Format format) {
 }  // namespace
 
 Written written(const Model& model, Format format) {
-  if (model.experiment.alone != diagnose::Alone::no && format != Format::toml)
+  if (!model.experiment.has_links() && format != Format::toml)
     throw Error("corrected model", "a joint alone, and a format of bodies", "a file that ends in .toml");
   if (model.experiment.arm) return written_arm(model, format);
   const bool from_such = !model.source.empty() && format_of(model.source) == format;

@@ -57,8 +57,8 @@ std::string law_table(const diagnose::FreeLaw& law) {
 
 /// The links, or the joint that is alone.
 std::string what_it_is(const diagnose::NominalChain& chain) {
-  if (chain.alone == diagnose::Alone::no) return list("link_length", chain.link_length);
-  return fmt::format("joint = \"{}\"\n", chain.alone == diagnose::Alone::turns ? "revolute" : "prismatic");
+  if (chain.has_links()) return list("link_length", chain.link_length);
+  return fmt::format("joint = \"{}\"\n", chain.slides(0) ? "prismatic" : "revolute");
 }
 
 }  // namespace

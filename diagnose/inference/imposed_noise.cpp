@@ -8,7 +8,7 @@ namespace plumbline::diagnose {
 namespace {
 
 double sigma_of_imposed(const Experiment& experiment, const Run& run) {
-  if (run.alone == Alone::no || run.commands_joints()) return 0;
+  if (run.imposed().size() > 1 || run.commands_joints()) return 0;
   return run.imposed().front().sigma(experiment.noise);
 }
 

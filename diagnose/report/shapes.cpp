@@ -111,7 +111,7 @@ bool at_joints(const Explained& explained) {
 
 std::vector<PageChart> shape_charts(const Explained& explained) {
   std::vector<PageChart> charts;
-  if (explained.experiment.alone != Alone::no || explained.experiment.arm) return charts;
+  if (!explained.experiment.is_planar()) return charts;
   for (std::size_t r = 0; r < explained.experiment.runs.size(); ++r)
     charts.push_back(shape_chart(explained, r));
   return charts;

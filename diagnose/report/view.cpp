@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "diagnose/bench/command_range.hpp"
+#include "diagnose/bench/end_kind.hpp"
 
 namespace plumbline::diagnose {
 namespace {
@@ -119,7 +120,7 @@ Command command_of_joints(const Run& run) {
         most = way, joint = j, command.farthest = i;
   for (const Reading& reading : run.readings) command.along.push_back(reading.rest[joint] - run.rest[joint]);
   command.label = fmt::format("command of joint {} from its first, {}", joint + 1,
-                              run.alone == Alone::slides ? "m" : "rad");
+                              end_kind(run.alone).joint == Sensor::position ? "m" : "rad");
   return command;
 }
 
@@ -166,7 +167,7 @@ Command command_of_load(const Run& run, const LoadChannel& load) {
 Command command_of(const Run& run) {
   if (run.commands_joints()) return command_of_joints(run);
   if (const std::optional<LoadChannel> load = leading_load(run)) return command_of_load(run, *load);
-  if (run.alone != Alone::no) return command_of_joint_alone(run);
+  if (run.imposed().size() == 1) return command_of_joint_alone(run);
   std::vector<Vector2> way;
   Command command{{}, "", 0};
   Vector2 start(0, 0), farthest(0, 0);

@@ -28,13 +28,13 @@ double left(const Study& study, const Prediction& predicted) {
 }
 
 /// Joint angles of one run.
-auto angles(const Trace& trace) {
-  return trace.rightCols(trace.cols() - column_q);
+auto angles(const Trace& trace, Eigen::Index joints) {
+  return trace.middleCols(column_q, joints);
 }
 
 /// The sides to which two paths of the one run go; nothing where they are the same.
-std::optional<Branch> branch_of(const Trace& there, const Trace& other) {
-  Branch branch{{}, angles(there), angles(other), there.middleCols(column_Fx, 2)};
+std::optional<Branch> branch_of(const Trace& there, const Trace& other, Eigen::Index joints) {
+  Branch branch{{}, angles(there, joints), angles(other, joints), there.middleCols(column_Fx, 2)};
   for (Eigen::Index r = 0; r < there.rows(); ++r)
     branch.differs.push_back((branch.angles.row(r) - branch.other_angles.row(r)).abs().maxCoeff() >
                              elsewhere);
@@ -51,7 +51,8 @@ std::optional<Branch> branch_of(const Experiment& one) {
   const auto try_branch = [&](const Prediction& there, const Prediction& other) {
     if (!there.reached || !other.reached) return;
     Experiment aside = one;
-    aside.runs.front().branch = branch_of(there.runs.front(), other.runs.front());
+    aside.runs.front().branch =
+        branch_of(there.runs.front(), other.runs.front(), std::ssize(one.link_length));
     if (!aside.runs.front().branch) return;
     const Study on_it(aside);
     const double then = left(on_it, on_it.nominal());

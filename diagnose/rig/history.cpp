@@ -386,9 +386,12 @@ class RunWalk {
     const Vector2 second = rig.second_load(run_);
     row(column_Fx_2) = second.x();
     row(column_Fy_2) = second.y();
-    for (std::size_t i = 0; i < layout_.links; ++i)
-      row(column_q + static_cast<Eigen::Index>(i)) =
-          rig.on.rig.angle_read[i].shown(layout_.joint_angle(rig.posture.angle, i));
+    double tilt = 0;
+    for (std::size_t i = 0; i < layout_.links; ++i) {
+      const double q = layout_.joint_angle(rig.posture.angle, i);
+      row(Channel(Channel::Name::q, i).column) = rig.on.rig.angle_read[i].shown(q);
+      row(Channel(Channel::Name::tilt, i, layout_.links).column) = tilt += q;
+    }
     correct(rig.on, reading, row);
   }
 
@@ -473,7 +476,8 @@ bool walk(const Experiment& experiment, const Run& run, const Rig& rig, const st
 /// Those of a trace.
 Eigen::Index columns_of(const Experiment& experiment) {
   if (experiment.arm) return columns_of_arm(experiment);
-  return column_q + static_cast<Eigen::Index>(experiment.link_length.size());
+  const std::size_t links = experiment.link_length.size();
+  return Channel(Channel::Name::tilt, links, links).column;
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ class Look {
     run_ = &run;
     clock();
     for (const Channel& channel : run.measured()) at(channel);
-    if (run.holds_end_point() && run.alone == Alone::no) start();
+    if (run.holds_end_point() && run.imposed().size() > 1) start();
   }
 
  private:

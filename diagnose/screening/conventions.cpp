@@ -74,7 +74,7 @@ double distance_at_start(const Experiment& experiment) {
   double sum = 0;
   const double whole = std::accumulate(experiment.link_length.begin(), experiment.link_length.end(), 0.0);
   for (const Run& run : experiment.runs) {
-    if (!run.holds_end_point() || run.readings.empty() || run.alone != Alone::no) continue;
+    if (!run.holds_end_point() || run.readings.empty() || run.imposed().size() == 1) continue;
     sum += (run.command(run.readings.front()) - unloaded_end(experiment, run.rest)).norm() / whole;
   }
   return sum;

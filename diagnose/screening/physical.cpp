@@ -229,7 +229,7 @@ void require_chain(const Experiment& experiment) {
   require_resolved(experiment, limits.largest);
   for (const Run& run : experiment.runs) {
     require_turns(run);
-    if (experiment.alone == Alone::no) require_reach(experiment, run, limits);
+    if (experiment.has_links()) require_reach(experiment, run, limits);
   }
 }
 

@@ -153,11 +153,8 @@ diagnose::Command by_reading(const diagnose::Run& run) {
 /// A joint that slides has a place and a force for its angle and its torque.
 std::string unit_of(const diagnose::Channel& channel, const Experiment& experiment) {
   using Name = diagnose::Channel::Name;
-  const bool of_joint = channel.name == Name::q || channel.name == Name::drive;
-  const bool slides =
-      experiment.arm && of_joint && experiment.arm->arm.links[channel.joint].kind == JointKind::prismatic;
-  if (slides) return channel.name == Name::q ? "m" : "N";
-  return std::string(channel.unit());
+  if (channel.name == Name::q) return experiment.joint_unit(channel.joint);
+  return channel.name == Name::drive ? experiment.torque_unit(channel.joint) : std::string(channel.unit());
 }
 
 /// A measured series beside what the nominal and the corrected model say.

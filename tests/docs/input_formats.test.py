@@ -45,20 +45,20 @@ EXPERIMENT = {
     "bench": {"gravity_plane": "vertical", "gravity_direction": [0.0, -1.0]},
     "load": [{"force": ["Gx", "Gy"], "link": 1, "at": 0.5}, {"tendon": "tension", "radius": [0.01, 0.008]},
              {"pressure": "p", "volume": [1e-6, 0.0]}],
-    "noise": {"x": 0.001, "y": 0.001, "Fx": 0.02, "Fy": 0.02, "Fx_2": 0.02, "Fy_2": 0.02, "q": 0.001},
+    "noise": {"x": 0.001, "y": 0.001, "Fx": 0.02, "Fy": 0.02, "Fx_2": 0.02, "Fy_2": 0.02, "q": 0.001, "tilt": 0.001},
     "units": {"link_length": "m", "joint_stiffness": "N m/rad", "link_mass": "kg", "gravity": "m/s^2", "rest": "rad",
               "radius": "mm", "volume": "mm^3"},
     "csv": {"delimiter": ",", "decimal": ".", "header": True, "transposed": False, "skip_lines": 0, "skip_after_header": 0, "comment": "#",
             "missing": ["NaN"]},
     "columns": {"t": "t", "x": "x", "y": 3, "Fx": {"column": "Fx", "unit": "N", "sign": 1, "zero": 0},
-                "Fy": {"constant": 0}, "Fx_2": {"constant": 0}, "Fy_2": {"constant": 0, "unit": "N"}, "q": {"column": ["q1", 7], "unit": "rad", "sign": [1, 1], "zero": [0, 0],
+                "Fy": {"constant": 0}, "Fx_2": {"constant": 0}, "Fy_2": {"constant": 0, "unit": "N"}, "tilt": ["L1", "L2"], "q": {"column": ["q1", 7], "unit": "rad", "sign": [1, 1], "zero": [0, 0],
                                              "absolute": False},
                 "q_command": {"column": ["c1", "c2"], "unit": "rad", "sign": -1, "zero": [0, 0], "absolute": False},
                 "covariate": {"temperature": {"column": "T", "sign": 1, "zero": 20}, "p": {"column": "P", "unit": "kPa"}}},
     "run": [{"id": "press", "control": "displacement", "begins": "relaxed", "loaded_by": "servo", "rest": [0.4, -0.9], "samples": "press.csv",
              "csv": {"decimal": "."}, "columns": {"Fx": {"zero": "first"}, "q": ["q1", "q2"]}}],
 }
-SAMPLES = "t,x,y,Fx,Fy,q1,q2,T,Gx,Gy,tension,P\n0,9,0,0,0,0,0,20,0,0,0,0\n1,9,0,0,0,0,0,20,0,0,1,1\n"
+SAMPLES = "t,x,y,Fx,Fy,q1,q2,T,Gx,Gy,tension,P,L1,L2\n0,9,0,0,0,0,0,20,0,0,0,0,0,0\n1,9,0,0,0,0,0,20,0,0,1,1,0,0\n"
 # Where a unit of the kind can stand, and what makes it one.
 UNITS = {"length": ("link_length", ""), "torque": ("joint_stiffness", "/rad"), "mass": ("link_mass", ""),
          "angle": ("rest", ""), "force": ("joint_stiffness", " m/rad"), "pressure": ("joint_stiffness", " m^3/rad"), "time": ("gravity", "^2")}

@@ -115,7 +115,7 @@ TEST_CASE("slips in an arm's experiment are told in one line") {
             .find("\"a\" again") != std::string::npos);
   CHECK(complaint("", "", "weight", "mass").find("a column 'mass'") != std::string::npos);
   CHECK(complaint("", "", "q_command2", "elbow").find("a column 'elbow'") != std::string::npos);
-  CHECK(complaint("", "", "1,90,0,0", "1,,0,0").find("an empty field, expected the commanded angle") !=
+  CHECK(complaint("", "", "1,90,0,0", "1,,0,0").find("an empty q_command, expected the commanded angle") !=
         std::string::npos);
   CHECK(complaint("", "", "tip_x,tip_y,tip_z,weight\n0,0,0,550,0,400,0\n",
                   "tip_qw,tip_qx,tip_qy,tip_qz\n0,0,0,1,1,0,0\n")
@@ -129,10 +129,12 @@ TEST_CASE("a temperature is the covariate of an arm, at every reading") {
       read("", "", rows, "weight,temperature\n0,0,0,550,0,400,0,21.5\n1,90,0,0,550,400,1.5,23\n");
   CHECK(experiment.covariates == std::vector<std::string>{"temperature"});
   CHECK(experiment.runs[0].readings[1].covariates == std::vector{23.0});
-  CHECK_THROWS_WITH_AS(
-      static_cast<void>(
-          read("", "", rows, "weight,temperature\n0,0,0,550,0,400,0,\n1,90,0,0,550,400,1.5,23\n")),
-      doctest::Contains("an empty field, expected the temperature of every reading"), Error);
+  // a missing one is interpolated in time, as those of a chain
+  const Experiment gap = read("", "", "weight\n0,0,0,550,0,400,0\n1,90,0,0,550,400,1.5\n",
+                              "weight,temperature\n0,0,0,550,0,400,0,21\n1,90,0,0,550,400,1.5,\n"
+                              "2,90,0,0,550,400,1.5,23\n");
+  CHECK(gap.runs[0].readings[1].covariates == std::vector{22.0});
+  CHECK(gap.runs[0].interpolated == std::vector<std::size_t>{1});
 }
 
 TEST_CASE("quaternions whose first number is x are asked about") {
@@ -140,4 +142,16 @@ TEST_CASE("quaternions whose first number is x are asked about") {
   CHECK_THROWS_WITH_AS(static_cast<void>(read("place = 0.01", "turn = 0.1", arm_table,
                                               header + "0,0,0,0,0,1\n90,0,0,0,0.7071,0.7071\n0,0,0,0,0,1\n")),
                        doctest::Contains("their first number is x"), Error);
+}
+
+TEST_CASE("columns of an arm have names, units, signs and zeros of their own, and parts") {
+  const Experiment named = read("[[run]]", "[columns]\nq_command = { column = [\"a\", \"b\"], unit = \"rad\", "
+                                "sign = [1, -1] }\ntip = [\"X\", \"Y\", \"Z\"]\nweight = { column = \"m\", "
+                                "unit = \"g\", zero = 100 }\n[[run]]",
+                                arm_table, "t,a,b,X,Y,Z,m\n0,0,0,550,0,400,100\n1,1.5,0.5,0,550,400,1600\n");
+  const Reading& second = named.runs[0].readings[1];
+  CHECK(second.rest == std::vector<double>{1.5, -0.5});
+  CHECK(second[first_of_point + 1] == close_to(0.55));
+  CHECK(second.wrench[2] == close_to(-1.5 * 9.81));
+  CHECK(named.runs[0].origins[1].source == "a");
 }

@@ -44,6 +44,9 @@ std::string sample_fault(const std::string& tables, const std::string& text,
   return "";
 }
 
+/// The places of the columns of a chain.
+enum : std::size_t { place_t, place_x, place_y, place_Fx, place_Fy, place_q1 };
+
 const std::string one_source = "the name of a column, or its number from 1";
 
 }  // namespace
@@ -263,7 +266,7 @@ TEST_CASE("a missing column is refused") {
   CHECK(sample_fault("[columns]\nFx = \"a\"\n", "a,b,h\n1,2,3\n", Control::force)
             .starts_with("T:1: found no column 'Fy'"));
   CHECK(sample_fault("[columns]\n", "x,y,q1\n1,2,3\n") ==
-        "T:1: found 1 columns of joint angles, expected all 2, or none");
+        "T:1: found 1 of the columns q1, q2, expected all 2, or none");
   CHECK(sample_fault("[csv]\nheader = false\n[columns]\nx = 4\n", "1,2,3\n") ==
         "T:1: found 3 columns, expected a column 4, which F:4: columns.x names");
 }
