@@ -19,7 +19,7 @@ void replace_pose(xml_node element, const Isometry3d& at) {
   xml_node pose = element.child("pose");
   for (const char* format : {"degrees", "rotation_format"}) pose.remove_attribute(format);
   const Vector3d xyz = at.translation(), turn = diagnose::roll_pitch_yaw(at.linear());
-  pose.text() = numbers({xyz.x(), xyz.y(), xyz.z(), turn.x(), turn.y(), turn.z()}).c_str();
+  set_text(pose, numbers({xyz.x(), xyz.y(), xyz.z(), turn.x(), turn.y(), turn.z()}));
 }
 
 /// Poses of SDF are said in any frame: those are written anew that are no more what they were in theirs.
@@ -84,10 +84,10 @@ class SdfArm : public ArmDocument {
     std::vector<double> pose = pose_of(own);
     std::copy(place.begin(), place.end(), pose.begin());
     if (!own.child("pose")) own.prepend_child("pose");
-    own.child("pose").text() = numbers(pose).c_str();
+    set_text(own.child("pose"), numbers(pose));
     set_child(own, "mass", number(mass_of(own) * factor));
     for (xml_node one : own.child("inertia").children())
-      one.text() = number(one.text().as_double() * factor).c_str();
+      set_text(one, number(one.text().as_double() * factor));
     return {true, "as the inertias of the links that move with it"};
   }
 
@@ -110,7 +110,7 @@ class SdfArm : public ArmDocument {
     }
     for (std::size_t i = 0; i < joints_.size(); ++i) point_axis(i);
     for (const Xml& one : added_) append(tree_.model, one);
-    return text_of(tree_.document, lines);
+    return tree_.source.text(lines);
   }
 
  private:
@@ -180,7 +180,7 @@ class SdfArm : public ArmDocument {
     if ((was.normalized() - is).norm() <= rounding) return;
     xml_node xyz = joints_[joint].child("axis").child("xyz");
     if (!xyz) xyz = joints_[joint].child("axis").append_child("xyz");
-    xyz.text() = numbers_of(is).c_str();
+    set_text(xyz, numbers_of(is));
   }
 
   [[nodiscard]] xml_node dynamics(std::size_t joint) {

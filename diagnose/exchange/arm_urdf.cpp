@@ -104,7 +104,7 @@ class UrdfArm : public ArmDocument {
     return {true, "as the link " + name};
   }
 
-  std::string text(const std::vector<std::string>& lines) override { return text_of(tree_.document, lines); }
+  std::string text(const std::vector<std::string>& lines) override { return tree_.source.text(lines); }
 
  private:
   struct Part {

@@ -20,7 +20,7 @@ void move(xml_node pose, const Vector3d& by) {
   std::vector<double> all = numbers_in(pose.text().get(), "pose", 0, 7);
   all.resize(std::max<std::size_t>(all.size(), 6));
   for (Eigen::Index a = 0; a < 3; ++a) all[static_cast<std::size_t>(a)] += by[a];
-  pose.text() = numbers(all).c_str();
+  set_text(pose, numbers(all));
 }
 
 class SdfEditor {
@@ -50,7 +50,7 @@ class SdfEditor {
     const std::string name = model_.source.filename().string();
     std::vector<std::string> remarks{"Edited: " + name + "."};
     if (const auto weights = chain_.weights()) edit_weights(*weights, remarks);
-    return {text_of(tree_.document, head_lines(model_, chain_.effects(), remarks)), chain_.effects(),
+    return {tree_.source.text(head_lines(model_, chain_.effects(), remarks)), chain_.effects(),
             name + " with the correction in it"};
   }
 

@@ -39,7 +39,7 @@ class UrdfEditor {
       remarks.push_back("URDF knows no gravity: it is to be " + numbers_of(g) +
                         " m/s^2 in the frame of the root link.");
     }
-    return {text_of(tree_.document, head_lines(model_, chain_.effects(), remarks)), chain_.effects(),
+    return {tree_.source.text(head_lines(model_, chain_.effects(), remarks)), chain_.effects(),
             name + " with the correction in it"};
   }
 

@@ -7,6 +7,7 @@
 
 #include "diagnose/exchange/mjcf_parts.hpp"
 #include "support/files/printable.hpp"
+#include "support/files/text_file.hpp"
 
 namespace plumbline::exchange {
 namespace {
@@ -69,8 +70,7 @@ bool is_within(const std::filesystem::path& file, const std::filesystem::path& f
 
 }  // namespace
 
-MjcfDocument::MjcfDocument(const std::filesystem::path& file) : file_(file.string()) {
-  parse(file, document_);
+MjcfDocument::MjcfDocument(const std::filesystem::path& file) : file_(file.string()), source_(file) {
   const std::string name = root().name();
   if (name != "mujoco")
     throw Error(file_, name == "robot" ? "a URDF" : "the root <" + files::shown(name) + ">",
@@ -101,7 +101,7 @@ void MjcfDocument::include(xml_node parent, const std::filesystem::path& folder,
     if (!included.insert(whole_name(other_file)).second)
       throw Error(file_, files::shown(other_file.string()) + " included twice", "each file once");
     pugi::xml_document other;
-    parse(other_file, other);
+    parse(files::read_text(other_file), other_file.string(), other);
     include(other.document_element(), folder, included);
     for (const xml_node one : other.document_element()) parent.insert_copy_before(one, child);
     parent.remove_child(child);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "diagnose/exchange/xml_document.hpp"
+#include "diagnose/exchange/xml_file.hpp"
 
 namespace plumbline::exchange {
 
@@ -18,7 +19,7 @@ class MjcfDocument {
   explicit MjcfDocument(const std::filesystem::path& file);
 
   [[nodiscard]] const std::string& file() const { return file_; }
-  [[nodiscard]] pugi::xml_node root() const { return document_.document_element(); }
+  [[nodiscard]] pugi::xml_node root() const { return source_.document.document_element(); }
   /// What the last <compiler> that names it says; or `otherwise`.
   [[nodiscard]] std::string setting(const char* name, const char* otherwise) const;
   /// A value that <compiler> has as a switch.
@@ -35,14 +36,14 @@ class MjcfDocument {
   pugi::xml_node insert_before(pugi::xml_node sibling, const Xml& element);
 
   /// The file, with these lines as a comment before the root.
-  [[nodiscard]] std::string text(const std::vector<std::string>& lines) { return text_of(document_, lines); }
+  [[nodiscard]] std::string text(const std::vector<std::string>& lines) const { return source_.text(lines); }
 
  private:
   void include(pugi::xml_node parent, const std::filesystem::path& folder, std::set<std::string>& included);
   [[nodiscard]] bool in_degrees() const;
 
   std::string file_;
-  pugi::xml_document document_;
+  XmlFile source_;
 };
 
 }  // namespace plumbline::exchange

@@ -9,6 +9,7 @@
 
 #include "diagnose/exchange/planar_chain.hpp"
 #include "diagnose/exchange/xml_document.hpp"
+#include "diagnose/exchange/xml_file.hpp"
 
 namespace plumbline::exchange {
 
@@ -19,7 +20,7 @@ class SdfTree {
   /// \throws Error where the file is no SDF, or holds no model or several that move
   explicit SdfTree(const std::filesystem::path& file);
 
-  pugi::xml_document document;
+  XmlFile source;
   pugi::xml_node world;  ///< none where the model stands alone
   pugi::xml_node model;
 

@@ -45,11 +45,10 @@ std::string link_of(xml_node joint, const char* end) {
   return joint.child(end).attribute("link").value();
 }
 
-UrdfTree::UrdfTree(const std::filesystem::path& file) : file_(file.string()) {
-  parse(file, document);
+UrdfTree::UrdfTree(const std::filesystem::path& file) : source(file), file_(file.string()) {
   if (std::string(root().name()) != "robot")
     throw Error(file_, "the root <" + files::shown(root().name()) + ">", "the root <robot> of URDF");
-  refuse_macros(document, file_);
+  refuse_macros(source.document, file_);
   for (const xml_node link : root().children("link"))
     if (const std::string name = link.attribute("name").value(); !links_.emplace(name, link).second)
       throw Error(file_, "two links " + files::shown(name), "a name for each");

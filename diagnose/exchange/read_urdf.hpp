@@ -9,6 +9,7 @@
 
 #include "diagnose/exchange/planar_chain.hpp"
 #include "diagnose/exchange/xml_document.hpp"
+#include "diagnose/exchange/xml_file.hpp"
 
 namespace plumbline::exchange {
 
@@ -18,9 +19,9 @@ class UrdfTree {
   /// \throws Error where the file is no URDF, or no tree of links
   explicit UrdfTree(const std::filesystem::path& file);
 
-  pugi::xml_document document;
+  XmlFile source;
 
-  [[nodiscard]] pugi::xml_node root() const { return document.document_element(); }
+  [[nodiscard]] pugi::xml_node root() const { return source.document.document_element(); }
   /// The joint that a link hangs by; none for the root link.
   [[nodiscard]] pugi::xml_node holder_of(const std::string& link) const;
   /// Where a link is, in the frame of the root link. \throws Error where there is none of the name

@@ -42,9 +42,8 @@ Isometry3d written_pose(xml_node element, const std::string& place) {
 
 }  // namespace
 
-SdfTree::SdfTree(const std::filesystem::path& file) : file_(file.string()) {
-  parse(file, document);
-  const xml_node root = document.document_element();
+SdfTree::SdfTree(const std::filesystem::path& file) : source(file), file_(file.string()) {
+  const xml_node root = source.document.document_element();
   if (std::string(root.name()) != "sdf")
     throw Error(file_, "the root <" + files::shown(root.name()) + ">", "the root <sdf> of SDF");
   const std::string version = root.attribute("version").value();
@@ -55,7 +54,7 @@ SdfTree::SdfTree(const std::filesystem::path& file) : file_(file.string()) {
 }
 
 void SdfTree::find_model() {
-  const xml_node root = document.document_element();
+  const xml_node root = source.document.document_element();
   world = root.child("world");
   std::vector<xml_node> moving;
   for (const xml_node one : (world ? world : root).children("model"))

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace plumbline::exchange {
-namespace {
 
 std::string escaped(const std::string& text) {
   std::string result;
@@ -23,12 +23,17 @@ std::string escaped(const std::string& text) {
       case '"':
         result += "&quot;";
         break;
+      case '\'':
+        result += "&apos;";
+        break;
       default:
         result += c;
     }
   }
   return result;
 }
+
+namespace {
 
 /// A comment ends with two hyphens, and must not have them inside.
 std::string in_comment(std::string line) {
@@ -43,8 +48,11 @@ std::string number(double value) {
 }
 
 std::string numbers(const std::vector<double>& values) {
+  double largest = 0;
+  for (const double value : values) largest = std::max(largest, std::abs(value));
   std::string text;
-  for (const double value : values) text += (text.empty() ? "" : " ") + number(value);
+  for (const double value : values)
+    text += (text.empty() ? "" : " ") + number(std::abs(value) > last_digit * largest ? value : 0);
   return text;
 }
 
@@ -74,9 +82,9 @@ std::string Xml::text(std::size_t depth) const {
   return result + indent + "</" + name_ + ">\n";
 }
 
-std::string comment(const std::vector<std::string>& lines) {
-  std::string result = "\n";
-  for (const std::string& line : lines) result += "  " + in_comment(line) + "\n";
+std::string comment(const std::vector<std::string>& lines, const std::string& line_end) {
+  std::string result = line_end;
+  for (const std::string& line : lines) result += "  " + in_comment(line) + line_end;
   return result;
 }
 

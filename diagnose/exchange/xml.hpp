@@ -9,10 +9,16 @@
 
 namespace plumbline::exchange {
 
-/// A number, and several of them, as attributes have them.
+/// Numbers that differ by less than this share of the largest beside them differ by arithmetic alone.
+inline constexpr double last_digit = 1e-14;
+
+/// A number, and several of them, as attributes have them. What is but rounding beside the others is nought.
 std::string number(double value);
 std::string numbers(const std::vector<double>& values);
 std::string numbers_of(const Eigen::Vector3d& vector);
+
+/// As a value between quotes, or as text, has it.
+std::string escaped(const std::string& text);
 
 class Xml {
  public:
@@ -43,7 +49,7 @@ class Xml {
 };
 
 /// What stands between the marks of a comment with these lines.
-std::string comment(const std::vector<std::string>& lines);
+std::string comment(const std::vector<std::string>& lines, const std::string& line_end = "\n");
 /// A file: the declaration, a comment with these lines, the root.
 std::string document(const std::vector<std::string>& lines, const Xml& root);
 

@@ -5,18 +5,29 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <plumbline/base/error.hpp>
 #include <sstream>
 #include <utility>
 
 #include "support/files/printable.hpp"
-#include "support/files/text_file.hpp"
 
 namespace plumbline::exchange {
 
 using pugi::xml_node;
 
 namespace {
+
+/// Whether two texts are the same numbers, however written.
+bool same_numbers(const std::string& a, const std::string& b) {
+  std::istringstream one(a), other(b);
+  std::vector<double> x{std::istream_iterator<double>(one), {}}, y{std::istream_iterator<double>(other), {}};
+  if (x.empty() || x.size() != y.size() || !one.eof() || !other.eof()) return a == b;
+  double largest = 0;
+  for (const double value : x) largest = std::max(largest, std::abs(value));
+  return std::equal(x.begin(), x.end(), y.begin(),
+                    [&](double p, double q) { return std::abs(p - q) <= last_digit * largest; });
+}
 
 /// An entity may stand for a file, or for so much text that no memory holds it: none is read.
 void refuse_entities(const pugi::xml_document& document, const std::string& file) {
@@ -42,27 +53,31 @@ class Depth : public pugi::xml_tree_walker {
 
 }  // namespace
 
-void parse(const std::filesystem::path& file, pugi::xml_document& document) {
-  const std::string text = files::read_text(file);
+void parse(const std::string& text, const std::string& file, pugi::xml_document& document) {
   const auto read = document.load_buffer(text.data(), text.size(), pugi::parse_full, pugi::encoding_utf8);
   if (!read) {
     const auto line = 1 + std::count(text.begin(), text.begin() + read.offset, '\n');
-    throw Error(fmt::format("{}:{}", file.string(), line), "text that is not XML", "XML");
+    throw Error(fmt::format("{}:{}", file, line), "text that is not XML", "XML");
   }
-  refuse_entities(document, file.string());
-  Depth depth(file.string());
+  refuse_entities(document, file);
+  Depth depth(file);
   document.traverse(depth);
 }
 
 void set(xml_node element, const char* attribute, const std::string& value) {
   if (!element.attribute(attribute)) element.append_attribute(attribute);
-  element.attribute(attribute) = value.c_str();
+  if (!same_numbers(element.attribute(attribute).value(), value))
+    element.attribute(attribute) = value.c_str();
+}
+
+void set_text(xml_node element, const std::string& text) {
+  if (!same_numbers(element.text().get(), text)) element.text() = text.c_str();
 }
 
 void set_child(xml_node element, const char* child, const std::string& text) {
   xml_node own = element.child(child);
   if (!own) own = element.append_child(child);
-  own.text() = text.c_str();
+  set_text(own, text);
 }
 
 std::string text_in(xml_node element, const char* child) {
@@ -116,14 +131,6 @@ double number_in(const std::string& text, const std::string& place) {
 Eigen::Vector3d vector_in(const std::string& text, const std::string& place) {
   const std::vector<double> all = numbers_in(text, place, 3, 3);
   return {all[0], all[1], all[2]};
-}
-
-std::string text_of(pugi::xml_document& document, const std::vector<std::string>& lines) {
-  document.insert_child_before(pugi::node_comment, document.document_element())
-      .set_value(comment(lines).c_str());
-  std::ostringstream text;
-  document.save(text, "  ");
-  return text.str();
 }
 
 }  // namespace plumbline::exchange

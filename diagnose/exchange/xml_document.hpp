@@ -1,9 +1,8 @@
 #pragma once
 /// \file
-/// XML of somebody's, to be read or edited: what is not touched stays as it stands.
+/// XML of somebody's, to be read.
 
 #include <Eigen/Core>
-#include <filesystem>
 #include <pugixml.hpp>
 #include <string>
 #include <vector>
@@ -15,11 +14,14 @@ namespace plumbline::exchange {
 /// Elements of a model stand in each other no deeper than this.
 constexpr int deepest_element = 2000;
 
-/// \throws Error where the file is no XML, declares entities, or is deeper than `deepest_element`
-void parse(const std::filesystem::path& file, pugi::xml_document& document);
+/// \param file  named in errors
+/// \throws Error where the text is no XML, declares entities, or is deeper than `deepest_element`
+void parse(const std::string& text, const std::string& file, pugi::xml_document& document);
 
-/// Sets an attribute, or the text of a child, there already or not.
+/// Sets an attribute, the text of an element, or of a child, there already or not. Numbers that the file has
+/// already stay as it writes them.
 void set(pugi::xml_node element, const char* attribute, const std::string& value);
+void set_text(pugi::xml_node element, const std::string& text);
 void set_child(pugi::xml_node element, const char* child, const std::string& text);
 
 /// The text of a child; empty where it is not there.
@@ -39,8 +41,5 @@ std::vector<double> numbers_in(const std::string& text, const std::string& place
                                std::size_t most);
 double number_in(const std::string& text, const std::string& place);
 Eigen::Vector3d vector_in(const std::string& text, const std::string& place);
-
-/// The file, with these lines as a comment before the root.
-std::string text_of(pugi::xml_document& document, const std::vector<std::string>& lines);
 
 }  // namespace plumbline::exchange

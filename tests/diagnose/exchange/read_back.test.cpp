@@ -1,0 +1,70 @@
+/// \file
+/// What is written is read: a corrected file, taken for the nominal model of the bench that gave it, predicts
+/// what was found.
+#include <doctest/doctest.h>
+
+#include "diagnose/exchange/corrected.hpp"
+#include "diagnose/exchange/read_model.hpp"
+#include "tests/close_to.hpp"
+#include "tests/diagnose/exchange/lab.hpp"
+#include "tests/folder.hpp"
+
+namespace plumbline::exchange {
+namespace {
+
+using diagnose::EffectAt, diagnose::Experiment, diagnose::Prediction, diagnose::Study;
+
+struct Format_ {
+  Format format;
+  const char* file;
+};
+constexpr Format_ formats[]{{Format::mjcf, "corrected.xml"},
+                            {Format::sdf, "corrected.sdf"},
+                            {Format::urdf, "corrected.urdf"},
+                            {Format::toml, "corrected.toml"}};
+
+/// Models have fifteen digits, chains out of them twelve; the specks that simulators demand of bodies without
+/// a mass weigh 1e-5 kg, a ten-thousandth of a newton beside noise of a hundredth.
+constexpr double as_good_as_same = 0.02;
+
+/// How far the corrected file is from what was found, in standard deviations of the noise.
+double left(const Study& study, const Model& model, const Written& file, const char* name,
+            const Prediction& wanted) {
+  const Folder folder;
+  folder.write(name, file.text);
+  Experiment again = study.experiment();
+  static_cast<diagnose::NominalChain&>(again) = read_model(folder / name).chain;
+  again.stated = model.experiment.stated;
+  return test::apart(study, Study(again).nominal(), wanted);
+}
+
+void check_every_row(const Experiment& bench, const std::filesystem::path& source, const Format_& one) {
+  const Study study(bench);
+  for (const EffectAt& at : possible_effects(study)) {
+    CAPTURE(one.file);
+    CAPTURE(at.name());
+    const std::vector<double> amount = test::sizeable(study, at);
+    const auto models = corrected_models(study, test::found(study, at, amount), source);
+    const Written file = written(models.front().model, one.format);
+    REQUIRE(file.effects.size() == 1);
+    if (!file.effects.front().carried) {
+      CHECK_FALSE(file.effects.front().how.empty());
+      continue;
+    }
+    const Prediction wanted = predict(study, {{at}}, amount);
+    if (wanted.reached) CHECK(left(study, models.front().model, file, one.file, wanted) < as_good_as_same);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a chain of its own in any format is read again as it was written: every row that it carries") {
+  for (const Format_& one : formats) check_every_row(diagnose::test::full_bench(), {}, one);
+}
+
+TEST_CASE("a robot's own MJCF with a correction in it is read again as it was written: every row") {
+  const test::Lab lab;
+  check_every_row(lab.experiment, lab.folder / "robot.xml", formats[0]);
+}
+
+}  // namespace plumbline::exchange
