@@ -21,10 +21,6 @@ std::string example_file(const std::string& name, const std::string&) {
   return files.at(name);
 }
 
-diagnose::NominalArm arm_of(const std::string& file, const std::string& base, const std::string& tip) {
-  return exchange::read_arm(file, {base, tip}).nominal;
-}
-
 constexpr const char* example_folder = "docs/examples/experiment";
 
 std::optional<diagnose::NominalChain> model_of(const ExperimentInput& input) {
@@ -43,15 +39,17 @@ std::vector<std::filesystem::path> ExperimentInput::files() const {
 diagnose::Experiment experiment_of(const ExperimentInput& input) {
   const std::optional<diagnose::NominalChain> model = model_of(input);
   const diagnose::NominalChain* const nominal = model ? &*model : nullptr;
-  return input.folder.empty() ? diagnose::read_experiment(example_folder, example_file, nominal)
-                              : diagnose::read_experiment(input.folder, nominal, arm_of);
+  if (input.folder.empty()) return diagnose::read_experiment(example_folder, example_file, nominal);
+  exchange::ArmReader arms;
+  return arms.with_effects(diagnose::read_experiment(input.folder, nominal, arms.read()));
 }
 
 diagnose::Experiment bench_of(const ExperimentInput& input) {
   const std::optional<diagnose::NominalChain> model = model_of(input);
   const diagnose::NominalChain* const nominal = model ? &*model : nullptr;
-  return input.folder.empty() ? diagnose::read_plan(example_folder, example_file, nominal)
-                              : diagnose::read_plan(input.folder, nominal, arm_of);
+  if (input.folder.empty()) return diagnose::read_plan(example_folder, example_file, nominal);
+  exchange::ArmReader arms;
+  return arms.with_effects(diagnose::read_plan(input.folder, nominal, arms.read()));
 }
 
 std::filesystem::path model_file(const ExperimentInput& input) {

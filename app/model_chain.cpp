@@ -23,7 +23,13 @@ std::string read_chain_text(const std::filesystem::path& path) {
   std::string text;
   if (is_model(path)) {
     exchange::Model model{"", {}, {}, {}};
-    static_cast<diagnose::NominalChain&>(model.experiment) = exchange::read_model(path).chain;
+    diagnose::NominalChain& chain = model.experiment;
+    chain = exchange::read_model(path).chain;
+    if (!chain.plain())
+      complain(files::source_name(path) +
+               ": friction and corrections are left out, the chain has springs alone here");
+    chain.effects.clear();
+    chain.laws.clear();
     text = exchange::to_toml(model).text;
   } else {
     text = files::read_text(path);

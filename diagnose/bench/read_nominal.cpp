@@ -1,5 +1,7 @@
 #include "diagnose/bench/read_nominal.hpp"
 
+#include <fmt/format.h>
+
 #include <plumbline/base/error.hpp>
 
 namespace plumbline::diagnose {
@@ -108,6 +110,14 @@ NominalChain read_nominal(const Section& nominal) {
   for (const Section& effect : nominal.tables("effect")) chain.effects.push_back(read_nominal_effect(effect));
   for (const Section& law : nominal.tables("torque_law")) chain.laws.push_back(read_law(law, n));
   return chain;
+}
+
+std::string nominal_effect_table(const NominalEffect& effect) {
+  std::string text = fmt::format("\n[[nominal.effect]]\nid = \"{}\"\n", effect.id), parameters;
+  if (effect.joint > 0) text += fmt::format("joint = {}\n", effect.joint);
+  for (const auto& [name, value] : effect.parameters)
+    parameters += fmt::format("{}{} = {}", parameters.empty() ? "" : ", ", name, value);
+  return text + "parameters = { " + parameters + " }\n";
 }
 
 NominalChain parse_nominal(const std::string& text, const std::string& source) {

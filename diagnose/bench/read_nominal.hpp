@@ -16,4 +16,7 @@ NominalChain read_nominal(const Section& nominal);
 /// \param source  named in errors
 NominalChain parse_nominal(const std::string& text, const std::string& source);
 
+/// An effect as the table [[nominal.effect]], which read_nominal() reads.
+std::string nominal_effect_table(const NominalEffect& effect);
+
 }  // namespace plumbline::diagnose

@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 
+#include "diagnose/bench/read_nominal.hpp"
 #include "diagnose/draft/column_numbers.hpp"
 
 namespace plumbline::diagnose {
@@ -173,6 +174,7 @@ std::string nominal_lines(const NominalChain& chain) {
     text += "link_mass = " + list(chain.link_mass) + "\n";
   if (chain.gravity[0] != 0 || chain.gravity[1] != 0)
     text += fmt::format("gravity = [{}, {}]\n", chain.gravity[0], chain.gravity[1]);
+  for (const NominalEffect& effect : chain.effects) text += nominal_effect_table(effect);
   if (!chain.rest.empty()) text += "rest = " + list(chain.rest) + "\n";
   return text;
 }

@@ -106,7 +106,7 @@ class SdfArm : public ArmDocument {
       const std::string frame = tree_.base_of(part);
       const Isometry3d was = tree_.pose(frame).inverse() * tree_.pose(name),
                        is = pose_now(frame).inverse() * pose_now(name);
-      if ((was.matrix() - is.matrix()).cwiseAbs().maxCoeff() > rounding) replace_pose(part.element, is);
+      if ((was.matrix() - is.matrix()).cwiseAbs().maxCoeff() > last_digit) replace_pose(part.element, is);
     }
     for (std::size_t i = 0; i < joints_.size(); ++i) point_axis(i);
     for (const Xml& one : added_) append(tree_.model, one);
@@ -114,8 +114,6 @@ class SdfArm : public ArmDocument {
   }
 
  private:
-  static constexpr double rounding = 1e-14;
-
   struct Part {
     xml_node inertial;
     std::string name;
@@ -177,7 +175,7 @@ class SdfArm : public ArmDocument {
     const Vector3d was = tree_.pose(frame).linear().transpose() * read_.joints[path_.joints()[joint]].axis,
                    is =
                        pose_now(frame).linear().transpose() * (now_[joint].linear() * arm_.links[joint].axis);
-    if ((was.normalized() - is).norm() <= rounding) return;
+    if ((was.normalized() - is).norm() <= last_digit) return;
     xml_node xyz = joints_[joint].child("axis").child("xyz");
     if (!xyz) xyz = joints_[joint].child("axis").append_child("xyz");
     set_text(xyz, numbers_of(is));

@@ -21,6 +21,10 @@ Rig rig_with(const Model& model, const std::vector<NominalEffect>& effects) {
   return diagnose::nominal_rig(part);
 }
 
+bool plays(const Rig& rig) {
+  return std::any_of(rig.backlash.begin(), rig.backlash.end(), [](double b) { return b > 0; });
+}
+
 /// Whether all that weighs is pulled the same way, as one gravity does.
 bool one_gravity(const Rig& rig) {
   Vector2 total = rig.payload;
@@ -54,15 +58,14 @@ bool hardens_to_one_side(const Rig& rig) {
 std::string_view against(Format format, const NominalEffect& effect, const Rig& rig) {
   if (adds_weight(effect.id) && !one_gravity(rig))
     return "weights in several directions";
-  const bool plays = std::any_of(rig.backlash.begin(), rig.backlash.end(), [](double b) { return b > 0; });
   if (format == Format::mjcf && rig.eccentricity != 0 && has_drive(rig))
     return "the drive of this file holds the point where the load acts, not the end point";
   if (format == Format::mjcf && hardens_to_one_side(rig))
     return "a spring that hardens is as stiff to both sides in this file";
   if (rig.force_lag > 0 && !rig.force_drift.isZero(0)) return "what drifts does not lag in this file";
-  if (rig.coupling != 0 && (!springs_left(rig) || plays))
+  if (rig.coupling != 0 && (!springs_left(rig) || plays(rig)))
     return "springs that neighbours share leave a joint without one of its own";
-  if (format == Format::mjcf || !plays) return "";
+  if (format == Format::mjcf || !plays(rig)) return "";
   if (std::any_of(rig.stop.begin(), rig.stop.end(), [](double s) { return std::isfinite(s); }))
     return "a joint with play has no stop in this format";
   if (std::any_of(rig.friction.begin(), rig.friction.end(), [](double f) { return f > 0; }))
@@ -117,6 +120,23 @@ std::vector<Carried> what_is_carried(const Model& model, Format format) {
   }
   for (const diagnose::FreeLaw& law : model.experiment.laws) all.push_back(law_carried(model, law, format));
   return all;
+}
+
+CatalogueRows rows_beside(const Model& model, const std::vector<Carried>& effects, Format format) {
+  CatalogueRows rows;
+  std::vector<NominalEffect> carried;
+  for (std::size_t e = 0; e < model.experiment.effects.size(); ++e)
+    if (effects[e].carried) carried.push_back(model.experiment.effects[e]);
+  const Rig bare = rig_with(model, {});
+  const bool play = plays(rig_with(model, carried));
+  for (const NominalEffect& effect : carried) {
+    // Of a joint with play the dry friction stands in an element of its own.
+    const bool elsewhere = play && rig_with(model, {effect}).friction != bare.friction;
+    if (elsewhere || !way_of(format, effect).in_place) rows.effects.push_back(effect);
+  }
+  for (std::size_t l = 0; l < model.experiment.laws.size(); ++l)
+    if (effects[model.experiment.effects.size() + l].carried) rows.laws.push_back(model.experiment.laws[l]);
+  return rows;
 }
 
 Tree carried_tree(const Model& model, const std::vector<Carried>& effects, const Means& means) {

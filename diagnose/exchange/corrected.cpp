@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <plumbline/base/error.hpp>
 
+#include "diagnose/exchange/carried.hpp"
 #include "diagnose/exchange/edit_mjcf.hpp"
 #include "diagnose/exchange/edit_sdf.hpp"
 #include "diagnose/exchange/edit_urdf.hpp"
@@ -153,17 +154,35 @@ Writer writer(Format format) {
 
 }  // namespace
 
+namespace {
+
+/// With the rows that it took several elements for.
+Written in_format(const Model& model, Format format, Writer writes) {
+  Written file = writes(model);
+  const CatalogueRows rows = rows_beside(model, file.effects, format);
+  if (rows.empty()) return file;
+  Model bare = model;
+  bare.experiment.laws.clear();
+  std::erase_if(bare.experiment.effects, [&](const NominalEffect& one) {
+    return std::find(rows.effects.begin(), rows.effects.end(), one) != rows.effects.end();
+  });
+  file.text = with_catalogue_rows(file.text, rows, writes(bare).text);
+  return file;
+}
+
+}  // namespace
+
 Written written(const Model& model, Format format) {
   if (!model.experiment.has_links() && format != Format::toml)
     throw Error("corrected model", "a joint alone, and a format of bodies", "a file that ends in .toml");
   if (model.experiment.arm) return written_arm(model, format);
-  const bool from_such = !model.source.empty() && format_of(model.source) == format;
-  const Writer edit = from_such ? editor(format) : nullptr;
-  if (edit == nullptr) return writer(format)(model);
+  if (format == Format::toml) return to_toml(model);
+  if (model.source.empty() || format_of(model.source) != format)
+    return in_format(model, format, writer(format));
   try {
-    return edit(model);
+    return in_format(model, format, editor(format));
   } catch (const Error& error) {
-    Written file = writer(format)(model);
+    Written file = in_format(model, format, writer(format));
     file.note = std::string("a chain of its own, for the model's file cannot be edited: ") + error.what();
     return file;
   }

@@ -13,11 +13,8 @@ namespace {
 
 using Eigen::Isometry3d, Eigen::Vector3d;
 
-/// Two numbers of a model differ by more than its arithmetic.
-constexpr double rounding = 1e-14;
-
 bool differs(const Isometry3d& a, const Isometry3d& b) {
-  return (a.matrix() - b.matrix()).cwiseAbs().maxCoeff() > rounding;
+  return (a.matrix() - b.matrix()).cwiseAbs().maxCoeff() > last_digit;
 }
 
 PointMass sum_of(const std::vector<ArmPart>& parts, std::size_t link) {
@@ -44,7 +41,7 @@ class Editor {
   Written result() {
     for (std::size_t i = 0; i < now().size(); ++i) edit_joint(i);
     if (differs(now().tip, old().tip)) add("pose of the tip", document_->set_tip(now().tip));
-    if ((now().gravity - old().gravity).norm() > rounding)
+    if ((now().gravity - old().gravity).norm() > last_digit)
       add("gravity", document_->set_gravity(now().gravity));
     for (std::size_t i = 0; i < now().size(); ++i) edit_weight(i);
     if (corrected_.payload.mass > 0)
@@ -71,9 +68,9 @@ class Editor {
       throw Error(corrected_.source.string(), "joint " + joint,
                   "one of the same kind as in the corrected arm");
     const Isometry3d frame = i > 0 ? own.frame : old().base.inverse() * now().base * own.frame;
-    if (differs(frame, was.frame) || (own.axis - was.axis).norm() > rounding)
+    if (differs(frame, was.frame) || (own.axis - was.axis).norm() > last_digit)
       add("frame of joint " + joint, document_->set_joint(i, frame, own.axis));
-    if (own.joint_compliance != was.joint_compliance)
+    if (std::abs(own.joint_compliance - was.joint_compliance) > last_digit * was.joint_compliance)
       add("stiffness of joint " + joint,
           own.joint_compliance > 0 ? document_->set_stiffness(i, 1 / own.joint_compliance)
                                    : Edit{false, "a joint that does not yield has no number in this file"});
@@ -89,8 +86,8 @@ class Editor {
     const std::string what = "mass and centre of link " + before_.nominal.link[i];
     const std::vector<ArmPart> parts = document_->parts();
     const PointMass sum = sum_of(parts, i);
-    const bool same = std::abs(own.mass - sum.mass) <= rounding * sum.mass &&
-                      (own.mass == 0 || (own.centre - sum.centre).norm() <= rounding);
+    const bool same = std::abs(own.mass - sum.mass) <= last_digit * sum.mass &&
+                      (own.mass == 0 || (own.centre - sum.centre).norm() <= last_digit);
     if (same) return;
     if (sum.mass == 0) {
       add(what, document_->add_weight(before_.nominal.link[i] + "_mass", i, own.mass, own.centre));

@@ -5,6 +5,7 @@
 #include <plumbline/base/error.hpp>
 
 #include "diagnose/exchange/edited_chain.hpp"
+#include "diagnose/exchange/model_gravity.hpp"
 #include "diagnose/exchange/read_sdf.hpp"
 #include "diagnose/exchange/sdf_parts.hpp"
 #include "diagnose/exchange/xml_document.hpp"
@@ -49,8 +50,10 @@ class SdfEditor {
     for (std::size_t j = 0; j <= n_; ++j) hang(j);
     const std::string name = model_.source.filename().string();
     std::vector<std::string> remarks{"Edited: " + name + "."};
-    if (const auto weights = chain_.weights()) edit_weights(*weights, remarks);
-    return {tree_.source.text(head_lines(model_, chain_.effects(), remarks)), chain_.effects(),
+    const auto weights = chain_.weights();
+    if (weights) edit_weights(*weights, remarks);
+    const std::string text = tree_.source.text(head_lines(model_, chain_.effects(), remarks));
+    return {weights && !world_ ? with_gravity(text, weights->gravity) : text, chain_.effects(),
             name + " with the correction in it"};
   }
 

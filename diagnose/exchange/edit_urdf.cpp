@@ -4,6 +4,7 @@
 #include <plumbline/base/error.hpp>
 
 #include "diagnose/exchange/edited_chain.hpp"
+#include "diagnose/exchange/model_gravity.hpp"
 #include "diagnose/exchange/read_urdf.hpp"
 #include "diagnose/exchange/urdf_parts.hpp"
 #include "diagnose/exchange/xml_document.hpp"
@@ -33,13 +34,15 @@ class UrdfEditor {
     for (std::size_t j = 0; j <= n_; ++j) hang(j);
     const std::string name = model_.source.filename().string();
     std::vector<std::string> remarks{"Edited: " + name + "."};
-    if (const auto weights = chain_.weights()) {
+    const auto weights = chain_.weights();
+    if (weights) {
       add_weights(*weights);
       const Vector3d& g = weights->gravity;
       remarks.push_back("URDF knows no gravity: it is to be " + numbers_of(g) +
                         " m/s^2 in the frame of the root link.");
     }
-    return {tree_.source.text(head_lines(model_, chain_.effects(), remarks)), chain_.effects(),
+    const std::string text = tree_.source.text(head_lines(model_, chain_.effects(), remarks));
+    return {weights ? with_gravity(text, weights->gravity) : text, chain_.effects(),
             name + " with the correction in it"};
   }
 

@@ -18,8 +18,10 @@ EditedChain::EditedChain(const Model& model, ReadModel read, Format format, cons
   if (!chain_.end)
     throw Error(model.source.string(), "nothing that names the end point",
                 "a site, frame or link there with end or tip in its name");
+  if (!read_.rows.empty())
+    throw Error(model.source.string(), "corrections in it already", "the model without them");
   Model bare = model;
-  bare.experiment.effects.clear();
+  bare.experiment.effects = chain_.chain.effects;
   bare.experiment.laws.clear();
   before_ = carried_tree(bare, {}, means);
   effects_ = what_is_carried(model, format);

@@ -19,6 +19,7 @@ class MjcfDocument {
   explicit MjcfDocument(const std::filesystem::path& file);
 
   [[nodiscard]] const std::string& file() const { return file_; }
+  [[nodiscard]] const pugi::xml_document& whole() const { return source_.document; }
   [[nodiscard]] pugi::xml_node root() const { return source_.document.document_element(); }
   /// What the last <compiler> that names it says; or `otherwise`.
   [[nodiscard]] std::string setting(const char* name, const char* otherwise) const;

@@ -8,6 +8,8 @@
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
+#include <map>
 #include <numbers>
 #include <plumbline/base/error.hpp>
 #include <set>
@@ -108,12 +110,27 @@ void require_finite(const diagnose::NominalChain& chain, const std::string& sour
   if (!std::isfinite(sum)) throw Error(source, "numbers too large to compute with", "SI units, radians");
 }
 
+/// The dry friction of a file's joints as the catalogue has it; passive joints have none there.
+std::vector<diagnose::NominalEffect> friction_rows(const std::vector<ReadJoint>& joints) {
+  std::map<std::string, double> each;
+  double least = std::numeric_limits<double>::infinity(), most = 0;
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    if (!(joints[j].stiffness > 0)) continue;
+    each[fmt::format("tau_{}", j + 1)] = joints[j].friction;
+    least = std::min(least, joints[j].friction);
+    most = std::max(most, joints[j].friction);
+  }
+  if (!(most > 0)) return {};
+  if (least == most) return {{"joint_friction", 0, {{"tau_c", most}}}};
+  return {{"friction_spread", 0, each}};
+}
+
 /// What the model has and a chain in the plane has not.
 std::vector<std::string> left_out_of(const ReadModel& model) {
   constexpr double once_around = 6.2;
   std::vector<std::string> out = model.left_out;
   for (const ReadJoint& joint : model.joints) {
-    if (joint.friction > 0) out.push_back("friction of " + joint.name);
+    if (joint.friction > 0 && !(joint.stiffness > 0)) out.push_back("friction of " + joint.name);
     if (joint.motion == JointMotion::hinge && joint.range[1] - joint.range[0] < once_around)
       out.push_back("range of " + joint.name);
     if (!joint.follows.empty()) out.push_back("coupling of " + joint.name + " to " + joint.follows);
@@ -193,6 +210,7 @@ PlanarChain planar_chain(const ReadModel& model, const std::string& source,
   }
   const Eigen::Vector2d gravity = plane.of(model.gravity);
   chain.gravity = {rounded(gravity.x(), 1), rounded(gravity.y(), 1)};
+  chain.effects = friction_rows(joints);
   require_finite(chain, source);
   add_notes(model, joints, moved, result);
   return result;

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "diagnose/exchange/catalogue_rows.hpp"
+
 namespace plumbline::exchange {
 
 /// `free`: of a body that is held by nothing; `other`: more than one coordinate, or coupled ones.
@@ -79,8 +81,12 @@ struct ReadModel {
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();
   /// Where the model stands: everything in it is said in a frame that has this pose in the world.
   Eigen::Isometry3d placed = Eigen::Isometry3d::Identity();
+  CatalogueRows rows;                 ///< corrections that are in it
   std::vector<std::string> notes;     ///< what was assumed
   std::vector<std::string> left_out;  ///< what else the model has: "2 tendons"
 };
+
+/// Without the joints and bodies that its rows added, which say the same.
+void drop_added(ReadModel& model);
 
 }  // namespace plumbline::exchange

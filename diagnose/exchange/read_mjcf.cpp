@@ -12,12 +12,12 @@ namespace {
 
 using pugi::xml_node;
 
-/// How many elements the sections of this name hold.
-std::size_t elements_in(xml_node root, const char* section) {
+/// How many elements the sections of this name hold, but for those that a correction added.
+std::size_t elements_in(xml_node root, const char* section, const std::set<std::string>& added) {
   std::size_t count = 0;
   for (const xml_node one : root.children(section))
     for (const xml_node child : one.children())
-      if (child.type() == pugi::node_element) ++count;
+      if (child.type() == pugi::node_element && !added.contains(child.attribute("name").value())) ++count;
   return count;
 }
 
@@ -26,6 +26,7 @@ class MjcfReader {
   MjcfReader(const MjcfScene& scene, const MjcfActuators& actuators) : scene_(scene), actuators_(actuators) {}
 
   ReadModel read() {
+    result_.rows = catalogue_rows_in(scene_.document.whole(), scene_.document.file());
     result_.left_out = scene_.left_out;
     result_.notes = actuators_.notes;
     for (std::size_t j = 0; j < scene_.joints.size(); ++j) add_joint(j);
@@ -141,6 +142,7 @@ class MjcfReader {
 
   /// Beside the joint's own spring.
   void add_spring(const MjcfServo& servo) {
+    if (result_.rows.added.contains(servo.name)) return;
     ReadJoint& joint = result_.joints[servo.joint];
     const double rest = servo.rest() - scene_.joints[servo.joint].ref,
                  both = joint.stiffness + servo.stiffness();
@@ -155,6 +157,7 @@ class MjcfReader {
 
   void add_mass(std::size_t body) {
     const MjcfBody& own = scene_.bodies[body];
+    if (own.joints.empty() && result_.rows.added.contains(own.name)) return;
     if (own.element.child("inertial")) check_inertia(body);
     const std::size_t carrier = scene_.last_joint(body);
     if (carrier < scene_.joints.size()) exchange::add_mass(result_.joints[carrier], own.mass, own.middle);
@@ -172,8 +175,9 @@ class MjcfReader {
     std::vector<std::string>& out = result_.left_out;
     out.insert(out.end(), actuators_.left_out.begin(), actuators_.left_out.end());
     const xml_node root = scene_.document.root();
-    if (const auto count = elements_in(root, "tendon")) out.push_back(fmt::format("{} tendons", count));
-    if (const auto count = elements_in(root, "equality"))
+    if (const auto count = elements_in(root, "tendon", result_.rows.added))
+      out.push_back(fmt::format("{} tendons", count));
+    if (const auto count = elements_in(root, "equality", result_.rows.added))
       out.push_back(fmt::format("{} equality constraints", count));
   }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "diagnose/bench/read_arm.hpp"
 #include "diagnose/exchange/format.hpp"
 #include "diagnose/exchange/planar_chain.hpp"
 #include "diagnose/exchange/spatial_arm.hpp"
@@ -19,5 +20,15 @@ PlanarChain read_model(const std::filesystem::path& file, const std::vector<std:
 
 /// \throws Error, one line: as read_model() does for a file, and as spatial_arm() does for what is no arm
 SpatialArm read_arm(const std::filesystem::path& file, const ArmEnds& ends = {});
+
+/// Reads the arms that experiments name, and gives these the effects that the model contains.
+class ArmReader {
+ public:
+  [[nodiscard]] diagnose::ReadArm read();
+  [[nodiscard]] diagnose::Experiment with_effects(diagnose::Experiment experiment) const;
+
+ private:
+  std::vector<diagnose::NominalEffect> effects_;
+};
 
 }  // namespace plumbline::exchange

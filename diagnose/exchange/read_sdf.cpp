@@ -4,6 +4,7 @@
 #include <limits>
 #include <plumbline/base/error.hpp>
 
+#include "diagnose/exchange/model_gravity.hpp"
 #include "diagnose/exchange/physical_body.hpp"
 #include "support/files/printable.hpp"
 
@@ -18,6 +19,7 @@ class SdfReader {
   explicit SdfReader(const std::filesystem::path& file) : tree_(file) {}
 
   ReadModel read() {
+    result_.rows = catalogue_rows_in(tree_.source.document, tree_.file());
     for (const auto& [name, part] : tree_.parts())
       if (is(part, "joint") && !is_fixed(part)) add_joint(name, part);
     for (const auto& [name, part] : tree_.parts()) {
@@ -98,11 +100,13 @@ class SdfReader {
 
   void add_link(const std::string& name, const Part& own) {
     const std::string carrier = joint_of(name), holder = tree_.holder_of(name);
-    if (!holder.empty() && is_fixed(tree_.parts().at(holder))) add_end("link", name, name);
+    const bool fixed = !holder.empty() && is_fixed(tree_.parts().at(holder));
+    if (fixed) add_end("link", name, name);
     const std::string parent =
         holder.empty() ? "" : tree_.link_of(tree_.named_by(tree_.parts().at(holder), "parent"));
     result_.frames.push_back({"link", files::shown(name), carrier,
                               parent == "world" ? "" : files::shown(parent), tree_.pose(name)});
+    if (fixed && result_.rows.added.contains(files::shown(name))) return;
     const xml_node inertial = own.element.child("inertial");
     if (inertial.attribute("auto").as_bool()) {
       result_.left_out.push_back("mass of " + files::shown(name) + ", which its shape has");
@@ -150,12 +154,13 @@ class SdfReader {
   }
 
   void add_gravity() {
+    const std::optional<Vector3d> gravity = gravity_in(tree_.source.document, tree_.file());
     Vector3d g(0, 0, -9.8);
     if (const xml_node said = tree_.world.child("gravity"))
       g = vector_in(said.text().get(), tree_.file() + ": gravity");
     result_.placed = tree_.placed();
-    result_.gravity = tree_.placed().linear().transpose() * g;
-    if (!tree_.world) result_.left_out.emplace_back("no gravity of its own: -9.8 along z");
+    result_.gravity = gravity.value_or(tree_.placed().linear().transpose() * g);
+    if (!tree_.world && !gravity) result_.left_out.emplace_back("no gravity of its own: -9.8 along z");
   }
 
   SdfTree tree_;

@@ -3,6 +3,7 @@
 #include <plumbline/base/error.hpp>
 
 #include "diagnose/bench/roll_pitch_yaw.hpp"
+#include "diagnose/exchange/model_gravity.hpp"
 #include "diagnose/exchange/physical_body.hpp"
 #include "support/files/printable.hpp"
 
@@ -115,11 +116,13 @@ class UrdfReader {
   explicit UrdfReader(const std::filesystem::path& file) : tree_(file) {}
 
   ReadModel read() {
+    result_.rows = catalogue_rows_in(tree_.source.document, tree_.file());
     for (const xml_node joint : tree_.root().children("joint"))
       if (!is_fixed(joint)) add_joint(joint);
     for (const xml_node link : tree_.root().children("link")) add_link(link);
-    result_.gravity = Vector3d(0, 0, -9.8);
-    result_.left_out.emplace_back("no gravity of its own: -9.8 along z");
+    const std::optional<Vector3d> gravity = gravity_in(tree_.source.document, tree_.file());
+    result_.gravity = gravity.value_or(Vector3d(0, 0, -9.8));
+    if (!gravity) result_.left_out.emplace_back("no gravity of its own: -9.8 along z");
     return std::move(result_);
   }
 
@@ -182,10 +185,11 @@ class UrdfReader {
     const Isometry3d& at = tree_.place(name);
     const std::string parent = link_of(tree_.holder_of(name), "parent");
     result_.frames.push_back({"link", files::shown(name), carrier, files::shown(parent), at});
-    if (is_fixed(tree_.holder_of(name)) && !carrier.empty())
+    const bool fixed = is_fixed(tree_.holder_of(name));
+    if (fixed && !carrier.empty())
       result_.ends.push_back({"link", files::shown(name), carrier, at.translation()});
     const xml_node inertial = link.child("inertial");
-    if (!inertial) return;
+    if (!inertial || (fixed && result_.rows.added.contains(files::shown(name)))) return;
     const std::string place = place_of(tree_.file(), link);
     const double mass = number_in(inertial.child("mass").attribute("value").value(), place + ": mass");
     require_mass(mass, place);

@@ -19,12 +19,6 @@ constexpr double parallel = 3e-3;
 
 }  // namespace
 
-void add_mass(ReadJoint& joint, double mass, const Eigen::Vector3d& middle) {
-  if (!(mass > 0)) return;
-  joint.middle = (joint.mass * joint.middle + mass * middle) / (joint.mass + mass);
-  joint.mass += mass;
-}
-
 JointNumbers::JointNumbers(const ReadModel& model) {
   for (std::size_t j = 0; j < model.joints.size(); ++j) sorted_.emplace_back(model.joints[j].name, j);
   std::sort(sorted_.begin(), sorted_.end());

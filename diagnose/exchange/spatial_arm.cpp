@@ -28,6 +28,8 @@ class ArmBuilder {
       : model_(model), source_(source), path_(model, source, ends) {}
 
   SpatialArm result() {
+    if (!model_.rows.empty())
+      throw Error(source_, "corrections of a chain in the plane", "the model without them");
     require_no_loop();
     auto& [arm, base, tip, joint, link, limits] = result_.nominal;
     base = path_.base().name;
@@ -69,6 +71,7 @@ class ArmBuilder {
     result_.nominal.link.push_back(path_.link_name(i));
     result_.nominal.limits.push_back(own.range);
     result_.friction.push_back(own.friction);
+    if (own.friction > 0) result_.effects.push_back({"joint_friction", i + 1, {{"tau_c", own.friction}}});
     before = at;
   }
 
@@ -135,7 +138,6 @@ class ArmBuilder {
       if (result_.nominal.arm.links[i].joint_compliance == 0) rigid.push_back(own.name);
       if (!own.bounded() && own.type != "continuous") unbounded.push_back(own.name);
       if (own.servo > 0 && own.stiffness > own.servo) out.push_back("spring beside the servo of " + own.name);
-      if (own.friction > 0) out.push_back("friction of " + own.name);
       if (own.motion == JointMotion::hinge)
         widest = std::max({widest, std::abs(own.range[0]), std::abs(own.range[1])});
     }

@@ -6,15 +6,17 @@
 #include <vector>
 
 #include "diagnose/bench/nominal_arm.hpp"
+#include "diagnose/bench/nominal_chain.hpp"
 #include "diagnose/exchange/arm_path.hpp"
 
 namespace plumbline::exchange {
 
 struct SpatialArm {
   diagnose::NominalArm nominal;
-  std::vector<std::string> notes;   ///< what was assumed, what was left out
-  std::vector<double> friction;     ///< by joint: torque or force at which it slips
-  std::vector<std::size_t> joints;  ///< numbers among those of the model
+  std::vector<std::string> notes;                ///< what was assumed, what was left out
+  std::vector<double> friction;                  ///< by joint: torque or force at which it slips
+  std::vector<diagnose::NominalEffect> effects;  ///< friction, as the catalogue has it
+  std::vector<std::size_t> joints;               ///< numbers among those of the model
 };
 
 /// The arm from base to tip. A link's frame has the axes of the body that its joint moves, and its origin on

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "diagnose/bench/read_nominal.hpp"
 #include "diagnose/exchange/carried.hpp"
 
 namespace plumbline::exchange {
@@ -17,14 +18,6 @@ bool any(const std::vector<double>& values) {
 
 std::string list(const char* key, const std::vector<double>& values) {
   return fmt::format("{} = [{}]\n", key, fmt::join(values, ", "));
-}
-
-std::string effect_table(const diagnose::NominalEffect& effect) {
-  std::string text = fmt::format("\n[[nominal.effect]]\nid = \"{}\"\n", effect.id), parameters;
-  if (effect.joint > 0) text += fmt::format("joint = {}\n", effect.joint);
-  for (const auto& [name, value] : effect.parameters)
-    parameters += fmt::format("{}{} = {}", parameters.empty() ? "" : ", ", name, value);
-  return text + "parameters = { " + parameters + " }\n";
 }
 
 /// Deflections and torques of knots.
@@ -78,7 +71,7 @@ Written to_toml(const Model& model) {
   if (chain.gravity != std::array<double, 2>{0, 0})
     file.text += list("gravity", {chain.gravity.begin(), chain.gravity.end()});
   if (!chain.rest.empty()) file.text += list("rest", chain.rest);
-  for (const diagnose::NominalEffect& effect : chain.effects) file.text += effect_table(effect);
+  for (const diagnose::NominalEffect& effect : chain.effects) file.text += nominal_effect_table(effect);
   for (const diagnose::FreeLaw& law : chain.laws) file.text += law_table(law);
   return file;
 }

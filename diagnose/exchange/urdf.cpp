@@ -1,6 +1,7 @@
 #include "diagnose/exchange/urdf.hpp"
 
 #include "diagnose/exchange/carried.hpp"
+#include "diagnose/exchange/model_gravity.hpp"
 #include "diagnose/exchange/urdf_parts.hpp"
 
 namespace plumbline::exchange {
@@ -35,13 +36,15 @@ Written to_urdf(const Model& model) {
     if (!one.joint || one.joint->stiffness == 0) continue;
     root.add(urdf_spring(*one.joint));
   }
-  file.text = document(
+  const Eigen::Vector3d gravity(tree.gravity[0], tree.gravity[1], 0);
+  const std::string text = document(
       head_lines(model, file.effects,
                  {"In the plane of x and y; inertias and damping are numerical, not identified.",
-                  "URDF has no springs: they are in <gazebo>. Nor has it gravity: " +
-                      numbers({tree.gravity[0], tree.gravity[1], 0}) + " m/s^2.",
+                  "URDF has no springs: they are in <gazebo>. Nor has it gravity: " + numbers_of(gravity) +
+                      " m/s^2.",
                   "The end point is at " + numbers({tree.end[0], tree.end[1], 0}) + " of " + tree.tip + "."}),
       root);
+  file.text = with_gravity(text, gravity);
   return file;
 }
 

@@ -7,16 +7,17 @@
 namespace plumbline::exchange {
 namespace {
 
-constexpr Way stiffness{true, "as the stiffness of the joints"};
+constexpr Way stiffness{true, "as the stiffness of the joints", true};
 constexpr Way springref{true, "as the angles at which the springs are at ease"};
 constexpr Way rest_shape{true,
                          "as the angles at which the springs are at ease, in the rest shape of the file"};
-constexpr Way body_places{true, "as the places of the bodies"};
-constexpr Way masses{true, "as masses and gravity"};
+constexpr Way body_places{true, "as the places of the bodies", true};
+constexpr Way masses{true, "as masses and gravity", true};
+constexpr Way payload{true, "as masses and gravity"};
 constexpr Way base_slides{true, "as slides on springs under the base"};
 constexpr Way base_slide{true, "as a slide on a spring under the base, which answers the same"};
 constexpr Way two_hinges{true, "as two hinges in series, one of them with a range"};
-constexpr Way frictionloss{true, "as the dry friction of the joints"};
+constexpr Way frictionloss{true, "as the dry friction of the joints", true};
 constexpr Way stop{true, "as a hinge with a range and a spring between it and the joint"};
 constexpr Way range{true, "as the range of the joint, which yields by the stop's stiffness"};
 constexpr Way side{true, "as a hinge held on one side and a spring between it and the joint"};
@@ -70,7 +71,7 @@ const std::map<std::string_view, Way>& everywhere() {
                                                    {"length_spread", body_places},
                                                    {"gravity", masses},
                                                    {"mass_scale", masses},
-                                                   {"tip_payload", masses},
+                                                   {"tip_payload", payload},
                                                    {"base_compliance", base_slides},
                                                    {"train_compliance", base_slide},
                                                    {"backlash", two_hinges},

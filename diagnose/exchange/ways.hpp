@@ -12,6 +12,9 @@ namespace plumbline::exchange {
 struct Way {
   bool carried;
   std::string_view how;  ///< as what, or why not
+  /// Whether the format has a word of its own for what changes, which is read as such; else the file has the
+  /// row of the catalogue beside the elements that act it out.
+  bool in_place = false;
 };
 
 /// For every row of the catalogue.

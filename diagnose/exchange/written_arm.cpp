@@ -1,9 +1,12 @@
 #include "diagnose/exchange/written_arm.hpp"
 
+#include <algorithm>
 #include <plumbline/base/error.hpp>
 
 #include "diagnose/exchange/arm_toml.hpp"
 #include "diagnose/exchange/corrected_arm.hpp"
+#include "diagnose/exchange/read_model.hpp"
+#include "diagnose/rig/characteristic_scales.hpp"
 #include "diagnose/rig/nominal.hpp"
 
 namespace plumbline::exchange {
@@ -11,8 +14,18 @@ namespace {
 
 using diagnose::Experiment, diagnose::NominalEffect, diagnose::Rig;
 
-/// The arm of a rig, its joints' zeros and stiffnesses in it.
-SerialArm<double> arm_of(const Rig& rig) {
+/// Whether all that is read is read at the tip, so that an error of the place is one of the tip.
+bool is_read_at_tip(const Experiment& experiment) {
+  const OnLink<double> tip{experiment.arm->arm.size() - 1, experiment.arm->arm.tip};
+  const diagnose::ArmBench& bench = experiment.arm_bench;
+  const bool loaded = bench.load == tip && diagnose::characteristic_scales(experiment).imposes_force;
+  return !loaded && !bench.points.empty() &&
+         std::all_of(bench.points.begin(), bench.points.end(),
+                     [&](const auto& one) { return one.at == tip; });
+}
+
+/// The arm of a rig, its joints' zeros and stiffnesses in it, its tip where it was read.
+SerialArm<double> arm_of(const Experiment& experiment, const Rig& rig) {
   SerialArm<double> arm = rig.arm->arm;
   for (std::size_t j = 0; j < arm.size(); ++j) {
     ArmLink<double>& link = arm.links[j];
@@ -23,7 +36,18 @@ SerialArm<double> arm_of(const Rig& rig) {
       link.frame.linear() *= rotation_by<double>(zero * link.axis);
     if (rig.stiffness[j] > 0) link.joint_compliance = 1 / rig.stiffness[j];
   }
+  if (is_read_at_tip(experiment) && !(rig.arm->points.front() == experiment.arm_bench.points.front().at))
+    arm.tip = rig.arm->points.front().frame;
   return arm;
+}
+
+/// The same correction of the file's own arm, which stands where its file has it: the bench may have it
+/// elsewhere in the world, under another gravity.
+void place_as_in_file(const SerialArm<double>& file, const SerialArm<double>& nominal,
+                      SerialArm<double>& arm) {
+  const bool stands = arm.base.matrix() == nominal.base.matrix();
+  arm.base = stands ? file.base : file.base * (nominal.base.inverse() * arm.base);
+  if (arm.gravity == nominal.gravity) arm.gravity = file.gravity;
 }
 
 Rig rig_with_effects(Experiment experiment, std::vector<NominalEffect> effects) {
@@ -31,28 +55,38 @@ Rig rig_with_effects(Experiment experiment, std::vector<NominalEffect> effects) 
   return nominal_rig(experiment);
 }
 
-/// Whether an effect alone changes anything that a model of an arm has.
+/// Whether a model of an arm has all that an effect alone changes: its mechanics, its joints' zeros, springs
+/// and dry friction, its tip.
 bool is_of_arm(const Experiment& experiment, const NominalEffect& effect) {
-  const Rig with = rig_with_effects(experiment, {effect}), without = rig_with_effects(experiment, {});
-  return !(arm_of(with) == arm_of(without)) || with.friction != without.friction;
+  const Rig with = rig_with_effects(experiment, {effect});
+  Rig all = rig_with_effects(experiment, {});
+  all.arm->arm = with.arm->arm;
+  all.arm->zero = with.arm->zero;
+  if (is_read_at_tip(experiment)) all.arm->points = with.arm->points;
+  all.stiffness = with.stiffness;
+  all.friction = with.friction;
+  return all == with;
 }
 
-std::vector<Carried> others_of(const Experiment& experiment) {
+/// What became of the effects; those that are not of an arm's model are taken out of the experiment.
+std::vector<Carried> take_out_others(Experiment& experiment) {
   std::vector<Carried> others;
-  for (const NominalEffect& effect : experiment.effects)
-    if (!is_of_arm(experiment, effect))
-      others.push_back({effect.label(), false, "no part of an arm's model"});
+  std::erase_if(experiment.effects, [&, bench = experiment](const NominalEffect& effect) {
+    if (is_of_arm(bench, effect)) return false;
+    others.push_back({effect.label(), false, "no part of an arm's model"});
+    return true;
+  });
   return others;
 }
 
 }  // namespace
 
 Written written_arm(const Model& model, Format format) {
-  const Experiment& experiment = model.experiment;
+  Experiment experiment = model.experiment;
+  const std::vector<Carried> others = take_out_others(experiment);
   const Rig rig = nominal_rig(experiment);
   diagnose::NominalArm nominal = *experiment.arm;
-  nominal.arm = arm_of(rig);
-  const std::vector<Carried> others = others_of(experiment);
+  nominal.arm = arm_of(experiment, rig);
   if (format == Format::toml) {
     std::string text = "# " + model.title + "\n";
     for (const Carried& one : others) text += "# NOT CARRIED: " + one.effect + ": " + one.how + "\n";
@@ -62,7 +96,9 @@ Written written_arm(const Model& model, Format format) {
     throw Error("corrected model", "an arm that was not read from a file of this format",
                 model.source.empty() ? std::string("a file .toml")
                                      : "a file " + model.source.extension().string() + ", or .toml");
-  CorrectedArm corrected{model.title, model.source, {nominal.base, nominal.tip}, nominal.arm};
+  const ArmEnds ends{nominal.base, nominal.tip};
+  place_as_in_file(read_arm(model.source, ends).nominal.arm, experiment.arm->arm, nominal.arm);
+  CorrectedArm corrected{model.title, model.source, ends, nominal.arm};
   corrected.friction = rig.friction;
   corrected.others = others;
   return edited(corrected);

@@ -124,7 +124,8 @@ std::string XmlFile::text(const std::vector<std::string>& lines) const {
   const xml_node root = document.document_element();
   const std::string above = content(document, whole);
   const std::size_t before = origins_.at(root).all.first;  // nothing above the root is edited
-  return above.substr(0, before) + "<!--" + comment(lines, line_end_) + "-->" + line_end_ + above.substr(before);
+  return above.substr(0, before) + "<!--" + comment(lines, line_end_) + "-->" + line_end_ +
+         above.substr(before);
 }
 
 std::string XmlFile::written(xml_node node, const std::string& indent) const {
@@ -135,7 +136,8 @@ std::string XmlFile::written(xml_node node, const std::string& indent) const {
     return own.value == node.value() ? bytes(own.all) : escaped(node.value());
   const std::string inside = content(node, own), start = start_tag(node, own);
   if (own.closing.last > 0)
-    return start + inside + "</" + node.name() + bytes({own.closing.first + 2 + own.name.last - own.name.first, own.closing.last});
+    return start + inside + "</" + node.name() +
+           bytes({own.closing.first + 2 + own.name.last - own.name.first, own.closing.last});
   if (inside.empty()) return start;
   const std::string open = start.substr(0, start.find_last_not_of(blanks, start.size() - 3) + 1) + ">";
   return open + inside + "</" + node.name() + ">";

@@ -55,7 +55,9 @@ class XmlFile {
   [[nodiscard]] bool begins_its_line(std::size_t at) const;
   [[nodiscard]] std::string indent_before(std::size_t at) const;
   [[nodiscard]] std::string indent_of_children(const Origin& origin) const;
-  [[nodiscard]] std::string bytes(Span span) const { return source_.substr(span.first, span.last - span.first); }
+  [[nodiscard]] std::string bytes(Span span) const {
+    return source_.substr(span.first, span.last - span.first);
+  }
 
   std::string source_, line_end_;
   std::map<pugi::xml_node, Origin> origins_;

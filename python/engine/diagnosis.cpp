@@ -90,11 +90,6 @@ std::optional<NominalChain> model_of(const std::string& file) {
   return exchange::read_model(file).chain;
 }
 
-/// Reads what `arm.model` names.
-diagnose::NominalArm arm_in(const std::string& file, const std::string& base, const std::string& tip) {
-  return exchange::read_arm(file, {base, tip}).nominal;
-}
-
 /// The file of the nominal model: the one that is given, or that an experiment names for its arm; empty
 /// without one.
 /// \param folder  of the experiment; empty of one in memory
@@ -255,7 +250,8 @@ page::Provenance provenance(const std::string& folder, const std::string& model,
 
 Experiment experiment_in(const std::string& folder, const std::string& model) {
   const std::optional<NominalChain> nominal = model_of(model);
-  return diagnose::read_experiment(folder, nominal ? &*nominal : nullptr, arm_in);
+  exchange::ArmReader arms;
+  return arms.with_effects(diagnose::read_experiment(folder, nominal ? &*nominal : nullptr, arms.read()));
 }
 
 /// \pre the experiment was read
@@ -294,7 +290,8 @@ void add_diagnosis(py::module_& module) {
         const char* const function = settings.contains("arm") ? "diagnose_arm" : "diagnose";
         page::Provenance from = provenance(function, settings, samples, source, effects);
         Experiment experiment = experiment_of(settings, samples, model, [](const auto&... given) {
-          return diagnose::read_experiment(given..., arm_in);
+          exchange::ArmReader arms;
+          return arms.with_effects(diagnose::read_experiment(given..., arms.read()));
         });
         return std::make_unique<Diagnosed>(std::move(experiment),
                                            Wish{std::move(effects), next, as_is, std::move(progress)},

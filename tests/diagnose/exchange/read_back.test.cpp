@@ -24,8 +24,9 @@ constexpr Format_ formats[]{{Format::mjcf, "corrected.xml"},
                             {Format::toml, "corrected.toml"}};
 
 /// Models have fifteen digits, chains out of them twelve; the specks that simulators demand of bodies without
-/// a mass weigh 1e-5 kg, a ten-thousandth of a newton beside noise of a hundredth.
-constexpr double as_good_as_same = 0.02;
+/// a mass weigh 1e-5 kg, a ten-thousandth of a newton, which springs of a newton metre a radian turn into a
+/// few hundredths of the noise of a place.
+constexpr double as_good_as_same = 0.05;
 
 /// How far the corrected file is from what was found, in standard deviations of the noise.
 double left(const Study& study, const Model& model, const Written& file, const char* name,

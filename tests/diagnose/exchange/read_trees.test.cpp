@@ -71,8 +71,10 @@ TEST_CASE(
   CHECK(arm.chain.link_mass[0] == close_to(2));
   CHECK(arm.chain.link_mass[1] == close_to(1));
   CHECK(arm.chain.gravity[1] == close_to(-9.8));
+  CHECK(arm.chain.effects ==
+        std::vector<diagnose::NominalEffect>{{"friction_spread", 0, {{"tau_1", 0}, {"tau_2", 0.1}}}});
   for (const char* words :
-       {"end point: link flange", "friction of knee", "range of knee", "at 1, 3 of the model"})
+       {"end point: link flange", "range of knee", "at 1, 3 of the model"})
     CHECK_MESSAGE(remarks(arm, words), words);
 }
 

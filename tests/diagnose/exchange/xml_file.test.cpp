@@ -68,9 +68,11 @@ std::string drawn_element(int depth) {
   if (children == 0 && *rc::gen::arbitrary<bool>()) return text + *rc::gen::element<std::string>("/>", " />");
   text += ">";
   for (int i = 0; i < children; ++i)
-    text += *rc::gen::element<std::string>("", " ", "\n  ", "<!-- > -->", "words &amp; ", "<![CDATA[</a>]]>") +
-            drawn_element(depth - 1);
-  return text + *rc::gen::element<std::string>("", "\n") + "</" + name + *rc::gen::element<std::string>(">", " >");
+    text +=
+        *rc::gen::element<std::string>("", " ", "\n  ", "<!-- > -->", "words &amp; ", "<![CDATA[</a>]]>") +
+        drawn_element(depth - 1);
+  return text + *rc::gen::element<std::string>("", "\n") + "</" + name +
+         *rc::gen::element<std::string>(">", " >");
 }
 
 }  // namespace
@@ -79,7 +81,8 @@ TEST_CASE("what is not edited stays byte by byte, but for the comment at the hea
   const Folder folder;
   CHECK(without_head(file_of(folder, untidy).text(no_lines)) == untidy);
   std::string windows = untidy;
-  for (std::size_t at = 0; (at = windows.find('\n', at)) != std::string::npos; at += 2) windows.insert(at, "\r");
+  for (std::size_t at = 0; (at = windows.find('\n', at)) != std::string::npos; at += 2)
+    windows.insert(at, "\r");
   const std::string text = file_of(folder, windows).text({"line"});
   CHECK(text.find("<!--\r\n  line\r\n-->\r\n") != std::string::npos);
   CHECK(text.size() == windows.size() + std::string("<!--\r\n  line\r\n-->\r\n").size());
