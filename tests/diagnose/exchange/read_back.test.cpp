@@ -23,9 +23,10 @@ constexpr Format_ formats[]{{Format::mjcf, "corrected.xml"},
                             {Format::urdf, "corrected.urdf"},
                             {Format::toml, "corrected.toml"}};
 
-/// Models have fifteen digits, chains out of them twelve; the specks that simulators demand of bodies without
-/// a mass weigh 1e-5 kg, a ten-thousandth of a newton, which springs of a newton metre a radian turn into a
-/// few hundredths of the noise of a place.
+/// Models have fifteen digits, chains out of them twelve. The speck of 1e-5 kg that simulators demand of a
+/// body without a mass hangs at the end point, where the force run has a compliance of 0.27 m/N along gravity
+/// and 0.09 m/N across, by its levers of 0.56, 0.37, 0.15 m over springs of 2, 1.5, 1 N m/rad: 0.26 and 0.09
+/// of the noise of a place in 16 readings, that is 0.06 of 365 values. Its load straightens the chain.
 constexpr double as_good_as_same = 0.05;
 
 /// How far the corrected file is from what was found, in standard deviations of the noise.

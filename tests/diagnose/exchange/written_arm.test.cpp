@@ -133,7 +133,7 @@ TEST_CASE("an arm's corrected file, read on the bench that gave it, predicts wha
                                 Study(on_bench(again, one.name, arm_in(folder, one.name))).nominal_residual();
       CHECK(test::rms(found - left) < 0.05);
     }
-    for (const char* id : {"joint_zero", "tool_offset", "axis_shift", "link_mass"})
+    for (const char* id : {"rest_angle", "tool_offset", "axis_shift", "link_mass"})
       CHECK(carried.contains(id));
   }
 }
