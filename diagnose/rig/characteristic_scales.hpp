@@ -44,6 +44,7 @@ struct CharacteristicScales {
   bool bent_at_rest = false;          ///< some rest angle, other than that of joint 1, is not zero
   bool drives = false;                ///< a drive moves what is imposed; weights are hung
   std::vector<bool> moves;            ///< by joint, whether its command changes
+  std::vector<double> least_command, largest_command;  ///< by joint
   bool warms = false;                 ///< its temperature is noted, and changes
   bool reads_encoders = false;        ///< joint angles are read by the encoders that lead the servos
   bool tool_is_measured = false;      ///< some measured point is on the last link

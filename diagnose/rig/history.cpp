@@ -100,7 +100,7 @@ struct Traveller {
     const Vector2 force(posture.force.x, posture.force.y);
     Vector2 read = shown_by_cell(rig, turned(force, -rig.misalignment)) + zero_of_cell(rig, t);
     read.x() += rig.guide_friction * direction;
-    return lagging(read, dt).cwiseMin(rig.force_limit).cwiseMax(-rig.force_limit);
+    return creeping(lagging(read, dt), dt).cwiseMin(rig.force_limit).cwiseMax(-rig.force_limit);
   }
 
   /// What a second sensor beside the first one reads.
@@ -155,9 +155,17 @@ struct Traveller {
     return shown_;
   }
 
+  /// The reading of a cell whose body creeps: it shows a share of the force more, in time.
+  Vector2 creeping(const Vector2& now, double dt) {
+    if (on.rig.force_creep == 0) return now;
+    crept_ += -std::expm1(-dt / on.rig.creep_time) * (now - crept_);
+    return now + on.rig.force_creep * crept_;
+  }
+
   std::vector<Reading> behind_;  ///< the readings with delayed commands; none without delay
   Reading on_the_way_{};         ///< between two of them
   Vector2 felt_ = Vector2::Zero(), shown_ = Vector2::Zero();  ///< at the last reading
+  Vector2 crept_ = Vector2::Zero();                           ///< what creep has followed so far
   std::vector<double> rest_then_;                             ///< of each joint, likewise
   LoadHistory load_history_;
 };

@@ -4,6 +4,7 @@
 /// model, so that any set of effects can act together.
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -61,6 +62,15 @@ struct SensorError {
   friend bool operator==(const SensorError&, const SensorError&) = default;
 };
 
+/// The angles between which a joint turns freely, and the stiffness that it meets beyond.
+struct Travel {
+  double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
+  double stiffness = 0;  ///< N m/rad
+  void meet_above(double angle, double stop) { high = std::min(high, angle), stiffness = stop; }
+  void meet_below(double angle, double stop) { low = std::max(low, angle), stiffness = stop; }
+  friend bool operator==(const Travel&, const Travel&) = default;
+};
+
 struct Rig {
   bool alone = false;  ///< the one joint has no link: force.x is its torque, and the place x its angle
 
@@ -71,6 +81,8 @@ struct Rig {
   std::vector<double> backlash;    ///< half the play, b
   std::vector<double> stop;        ///< s, deflection at which the stop is reached; infinite without a stop
   std::vector<double> stop_stiffness;        ///< k_s
+  std::vector<Travel> travel;                ///< of the joint's angle
+  std::vector<double> slip;                  ///< torque at which the spring slips at its fixture; or infinite
   std::vector<double> hardening;             ///< c of k d (1 + c d^2), 1/rad^2
   std::vector<double> asymmetry;             ///< e: stiffness k (1 + e) for d > 0, k (1 - e) for d < 0
   std::vector<double> knee;                  ///< deflection beyond which the spring is softer; or infinite
@@ -123,6 +135,7 @@ struct Rig {
   Vector2 cell_curvature = Vector2::Zero();                      ///< c_x, c_y, 1/N
   double force_limit = std::numeric_limits<double>::infinity();  ///< range of the load cell, N
   double force_lag = 0;                                          ///< its time constant, s
+  double force_creep = 0, creep_time = 1;  ///< share of the force that it shows more in time; time constant, s
 
   // A second sensor of the load.
   double second_gain = 0;                 ///< g

@@ -135,6 +135,8 @@ const std::vector<TypicalSize>& typical_sizes() {
        per_duration<torque>},
       {Q::balance_torque, "torque of a counterweight", "N m", "tau", 0.1, -10, 10, torque},
       {Q::yield_torque, "torque of plastic yield", "N m", "tau", 0.3, 1e-3, 10, torque},
+      {Q::slip_torque, "torque at which a spring slips at its fixture", "N m", "tau", 0.3, 1e-3, 10, per<torque>,
+       reciprocal},
       {Q::mass, "mass of a link", "kg", "m", 0.1, -20, 20, mass},
       {Q::density, "mass of links by length", "kg/m", "k / 9.81 / L / L", 0.1, 0, 20, density},
       {Q::coupling_stiffness, "stiffness between joints", "N m/rad", "k", 0.1, -0.95, 0.95, stiffness},

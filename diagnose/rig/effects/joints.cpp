@@ -22,6 +22,24 @@ InitialGuesses shares_of(double reach, std::initializer_list<double> shares, std
   return guesses;
 }
 
+/// The angle at which travel ends lies between the commands, as probably anywhere.
+std::vector<ParameterRange> ranges_of_travel(const Place& at) {
+  const double low = at.scales.least_command[at.joint], high = at.scales.largest_command[at.joint];
+  return {{"q", "rad", Coordinate::plain, 0.05 * (high - low), low, high, 0, true},
+          of(ParameterKind::stop_stiffness, "k_s", at)};
+}
+
+bool turns_in_a_range(const Place& at) {
+  return is_elastic(at) && moves(at);
+}
+
+InitialGuesses guesses_of_travel(const Place& at) {
+  const double low = at.scales.least_command[at.joint], high = at.scales.largest_command[at.joint];
+  return onset_guesses({30.0}, [&](double share, double stiff) {
+    return std::vector{low + share * (high - low), stiff * at.scales.stiffness_at(at.joint)};
+  });
+}
+
 }  // namespace
 
 std::vector<Effect> joint_effects() {
@@ -105,6 +123,38 @@ std::vector<Effect> joint_effects() {
              });
            },
        .perturbation = {.growing = {1}}},
+      {.id = "travel_limit",
+       .words = "an upper limit of travel of joint {}",
+       .at_joint = true,
+       .parameters = ranges_of_travel,
+       .add = [](const Addition& to) { to.rig.travel[to.joint].meet_above(to.value[0], to.value[1]); },
+       .possible = turns_in_a_range,
+       .initial_guesses = [](const Place& at, const Excitation&) { return guesses_of_travel(at); },
+       .perturbation = {.growing = {1}}},
+      {.id = "travel_limit",
+       .words = "a lower limit of travel of joint {}",
+       .at_joint = true,
+       .parameters = ranges_of_travel,
+       .add = [](const Addition& to) { to.rig.travel[to.joint].meet_below(to.value[0], to.value[1]); },
+       .possible = turns_in_a_range,
+       .form = "below",
+       .initial_guesses = [](const Place& at, const Excitation&) { return guesses_of_travel(at); },
+       .perturbation = {.growing = {1}}},
+      {.id = "series_friction",
+       .words = "friction in series with the spring of joint {}",
+       .at_joint = true,
+       .dissipates = true,
+       .parameters = one_of(ParameterKind::slip_torque, "tau_c"),
+       .add = [](const Addition& to) { to.rig.slip[to.joint] = std::min(to.rig.slip[to.joint], to.value[0]); },
+       .possible = [](const Place& at) { return is_elastic(at) && turns_back(at); },
+       .initial_guesses =
+           [](const Place& at, const Excitation& nominal) {
+             InitialGuesses guesses{{}, 2};
+             const double torque = std::max(nominal.torque, 1e-3 * at.scales.typical_load(at.joint));
+             for (const double share : {0.3, 0.6, 0.9}) guesses.points.push_back({1 / (share * torque)});
+             return guesses;
+           },
+       .perturbation = {.large_step = true}},
       {.id = "joint_coupling",
        .words = "springs that couple neighbouring joints",
        .parameters = one_of(ParameterKind::coupling_stiffness, "kappa"),
