@@ -7,6 +7,7 @@
 #include <map>
 
 #include "diagnose/bench/median.hpp"
+#include "diagnose/bench/repeated_readings.hpp"
 #include "diagnose/bench/thin_poses.hpp"
 
 namespace plumbline::diagnose {
@@ -233,12 +234,22 @@ class Decimator {
   Run result_;
 };
 
+/// The run with its groups numbered as the readings were taken, where some had been left out before.
+Run renumbered(Run run, const std::vector<std::size_t>& taken) {
+  if (!taken.empty())
+    for (std::size_t& first : run.groups.first) first = taken[first];
+  return run;
+}
+
 }  // namespace
 
 Experiment decimated(Experiment experiment) {
-  std::size_t total = 0;
-  for (const Run& run : experiment.runs) total += run.readings.size();
   if (experiment.arm) return thinned(std::move(experiment));  // neighbouring poses have no median
+  std::size_t total = 0;
+  for (Run& run : experiment.runs) {
+    if (!run.readings.empty()) run = without_repeated_readings(std::move(run), experiment.noise);
+    total += run.readings.size();
+  }
   if (total <= short_enough) return experiment;
   std::map<Control, double> farthest;
   for (const Run& run : experiment.runs) farthest[run.control] = std::max(farthest[run.control], extent(run));
@@ -246,7 +257,7 @@ Experiment decimated(Experiment experiment) {
     const std::size_t count = run.readings.size(), groups = std::max(least_readings(experiment.runs.size()),
                                                                      count * wanted_readings / total);
     Decimator decimator(run, (count + groups - 1) / groups, jitter_at_rest * farthest[run.control]);
-    if (decimator.gains()) run = decimator.result();
+    if (decimator.gains()) run = renumbered(decimator.result(), run.groups.first);
   }
   return experiment;
 }

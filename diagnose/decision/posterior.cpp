@@ -4,6 +4,7 @@
 #include <cmath>
 #include <plumbline/base/parallel.hpp>
 
+#include "diagnose/inference/affordable.hpp"
 #include "diagnose/outside/outside_cause.hpp"
 #include "diagnose/priors.hpp"
 
@@ -84,15 +85,18 @@ bool is_untimed(const Findings& findings, const Hypothesis& one) {
 }
 
 /// Whether nothing but noise, at most as much over the declared one as a scatter that is no noise, is
-/// probably left beside a hypothesis.
+/// probably left beside a hypothesis. A marked reading is off by no more than outliers are.
 bool leaves_nothing(const Findings& findings, const Hypothesis& one) {
   const std::vector<bool>& outlier = findings.likelihood->shape().outlier;
-  double sum = 0, count = 0;
-  for (std::size_t i = 0; i < outlier.size(); ++i)
-    if (!outlier[i]) sum += std::pow(one.residual(static_cast<Eigen::Index>(i)), 2), count += 1;
+  double sum = 0;
+  for (std::size_t i = 0; i < outlier.size(); ++i) {
+    const double z = std::abs(one.residual(static_cast<Eigen::Index>(i)));
+    sum += std::pow(outlier[i] ? std::min(z, priors::outlier_width) : z, 2);
+  }
   const std::vector<double> size =
       log_posterior(one.look.log_by_amplitude, findings.likelihood->priors().log_amplitude);
-  return std::exp(size.front()) > 0.5 && sum <= priors::scatter * priors::scatter * count;
+  return std::exp(size.front()) > 0.5 &&
+         sum <= priors::scatter * priors::scatter * static_cast<double>(outlier.size());
 }
 
 /// Logarithms of probabilities, where the evidence counts to a power.
@@ -130,11 +134,12 @@ std::vector<Way> ways(const Study& study, const Findings& findings) {
   std::vector<Way> all{
       {Way::Of::nothing, Way::none, std::log(priors::no_gap), nominal.log_by_amplitude.front(), 0}};
   const VectorXd residual = study.nominal_residual();
-  const double gap = std::log(1 - priors::no_gap);
+  const double gap = std::log(1 - priors::no_gap),
+               outside = priors::outside + (1 - priors::outside) * untested_share(study);
   for (const OutsideRow& row : outside_rows) {
     const OutsideFit fit = row.make()->fit({*findings.likelihood, residual, nominal});
-    all.push_back({Way::Of::outside, Way::none, gap + std::log(priors::outside * row.share),
-                   fit.log_likelihood, fit.discrepancy});
+    all.push_back({Way::Of::outside, Way::none, gap + std::log(outside * row.share), fit.log_likelihood,
+                   fit.discrepancy});
   }
   std::vector<std::vector<Way>> of(findings.hypotheses.size());
   in_parallel(of.size(), study.threads(), [&](std::size_t i) {

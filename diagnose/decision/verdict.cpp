@@ -22,6 +22,18 @@ std::string verdict_word(CauseVerdict verdict) {
   return "unknown";
 }
 
+namespace {
+
+/// Many causes, none of them worth naming, can be as probable together as one that is.
+void name_the_next(const Posterior& posterior, Verdict& verdict) {
+  if (posterior.causes.size() > 1 && posterior.causes[1].probability > posterior.outside)
+    ++verdict.named;
+  else
+    verdict.or_outside = true;
+}
+
+}  // namespace
+
 Verdict decide(const Posterior& posterior) {
   if (posterior.no_gap > 0.5) return {};
   constexpr double ratio = 1 / priors::wrong_over_further_name;
@@ -33,12 +45,13 @@ Verdict decide(const Posterior& posterior) {
   if (outside_leads && (listed < ratio || !posterior.leaves_nothing)) return verdict;
   verdict.too_few_readings = outside_leads;
   const double worth_naming = ratio * (outside_leads ? listed : 1);
-  const std::size_t others = verdict.or_outside ? 1 : 0;
+  const auto names = [&] { return verdict.named + (verdict.or_outside ? 1 : 0); };
   for (const CauseProbability& one : posterior.causes)
-    if (verdict.named == 0 ||
-        (one.probability >= worth_naming && verdict.named + others < priors::largest_class))
+    if (verdict.named == 0 || (one.probability >= worth_naming && names() < priors::largest_class))
       ++verdict.named;
-  verdict.verdict = verdict.named + others > 1 ? CauseVerdict::ambiguous : CauseVerdict::identified;
+  if (names() == 1 && posterior.causes.front().probability < (1 - ratio) * (1 - posterior.no_gap))
+    name_the_next(posterior, verdict);
+  verdict.verdict = names() > 1 ? CauseVerdict::ambiguous : CauseVerdict::identified;
   return verdict;
 }
 

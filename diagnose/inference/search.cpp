@@ -4,17 +4,17 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <mutex>
 #include <plumbline/base/parallel.hpp>
 #include <set>
 
 #include "diagnose/discrepancy/unknown_torque.hpp"
+#include "diagnose/inference/affordable.hpp"
 #include "diagnose/inference/elements.hpp"
+#include "diagnose/inference/fits.hpp"
 #include "diagnose/inference/forecast.hpp"
 #include "diagnose/inference/idle.hpp"
 #include "diagnose/inference/prior.hpp"
 #include "diagnose/inference/start.hpp"
-#include "diagnose/noise/estimate_noise.hpp"
 
 namespace plumbline::diagnose {
 namespace {
@@ -27,38 +27,14 @@ constexpr std::size_t seeds = 8, seeds_of_enough = 2;
 constexpr std::size_t beside_tolerances = 5, pairs = 6, taken_apart = 4;
 /// Forecasts that are fitted: of pairs, of threes, for each effect that is replaced.
 constexpr std::size_t fitted_pairs = 16, fitted_threes = 12, fitted_replacements = 8;
-/// Hypotheses within so many nats of the best are maximised beside a discrepancy, so many at most.
-constexpr double near_best = 25;
-constexpr std::size_t refined_at_once = 12, refined_at_last = 24;
-
-constexpr Effort fine{12, 0.03};
-
-/// A rough fit ends where an iteration takes half a per cent off the squares.
-Effort rough(std::size_t values) {
-  return {12, std::max(0.1, 0.0025 * static_cast<double>(values)), true};
-}
-
-bool same(const Candidate& a, const Candidate& b) {
-  return a.effects.size() == b.effects.size() &&
-         std::is_permutation(a.effects.begin(), a.effects.end(), b.effects.begin(), b.effects.end());
-}
-
-/// A candidate to be fitted.
-struct Task {
-  Candidate candidate;
-  InitialGuesses starts;
-  double cost = 0;  ///< forecast of the squares that it leaves
-};
 
 class Searcher {
  public:
   explicit Searcher(const Study& study)
-      : study_(study), nominal_residual_(study.nominal_residual()), listed_(possible_effects(study)) {
-    found_.states = std::make_shared<CommandStates>(study.experiment());
+      : study_(study), fits_(study), found_(fits_.found), listed_(possible_effects(study)) {
     found_.outside = unknown_torques(study);
     found_.untimed = untimed_effects(study);
     listed_.insert(listed_.end(), found_.untimed.begin(), found_.untimed.end());
-    set_likelihoods(nominal_residual_, NoiseShape(study.measurements()), Departures::ignored);
   }
 
   Findings run(const std::function<void(double)>& report) {
@@ -68,141 +44,28 @@ class Searcher {
     report(0.6);
     fit_beside_tolerances();
     report(0.7);
-    if (!found_.hypotheses.empty() && nothing_left(found_.hypotheses.front()) < 0.5)
+    if (!found_.hypotheses.empty() && fits_.nothing_left(found_.hypotheses.front()) < 0.5)
       extend(leading_pairs(), fitted_threes);
     report(0.8);
     for (int round = 0; round < 2; ++round) take_apart();
     fit_other_orders();
     report(0.9);
-    settle();
+    fits_.settle();
+    simplify();
     drop_idle();
     report(1);
     return std::move(found_);
   }
 
  private:
-  /// The likelihoods for the noise that a residual shows.
-  void set_likelihoods(const VectorXd& residual, NoiseShape start, Departures departures) {
-    const Measurements& measurements = study_.measurements();
-    const NoiseShape shape = estimate_noise(study_.experiment(), measurements, *found_.states,
-                                            nominal_residual_, residual, std::move(start), departures);
-    const auto likelihood_of = [&](const Hyperpriors& priors, const NoiseShape& in) {
-      return std::make_shared<Likelihood>(measurements, *found_.states, priors, in, nominal_residual_);
-    };
-    const auto full = likelihood_of(full_model(), shape);
-    full->prune(residual);
-    found_.likelihood = full;
-    rough_likelihood_ = likelihood_of(white_noise_alone(), shape);
-    all_readings_ =
-        shape.has_outliers() ? likelihood_of(white_noise_alone(), NoiseShape(measurements)) : nullptr;
-    found_.nominal = full->look(nominal_residual_);
-    const Decomposition parts = full->decompose(residual);
-    weight_ = shape.relative.cwiseInverse();
-    for (std::size_t b = 0; b < parts.noise.channels.size(); ++b) {
-      const Block& block = measurements.blocks()[b];
-      weight_.segment(block.first, block.count) /= parts.noise.channels[b].scale;
-    }
-    for (std::size_t i = 0; i < shape.outlier.size(); ++i)
-      if (shape.outlier[i]) weight_(static_cast<Eigen::Index>(i)) = 0;
-  }
-
-  /// Whether there are three readings for each parameter; those with Gaussian priors count as one.
-  [[nodiscard]] bool affordable(const Candidate& candidate) const {
-    constexpr std::size_t most = 60;
-    std::size_t free = 0, held = 0;
-    for (const ParameterRange& range : study_.ranges(candidate)) ++(range.tolerance > 0 ? held : free);
-    return 3 * (free + std::min<std::size_t>(held, 1)) <= study_.measurements().size() && free + held <= most;
-  }
-
-  [[nodiscard]] const Hypothesis* find(const Candidate& candidate) const {
-    const auto place = std::find_if(found_.hypotheses.begin(), found_.hypotheses.end(),
-                                    [&](const Hypothesis& h) { return same(h.candidate, candidate); });
-    return place == found_.hypotheses.end() ? nullptr : &*place;
-  }
-
-  /// Probability that nothing is left beside a hypothesis.
-  [[nodiscard]] double nothing_left(const Hypothesis& one) const {
-    return std::exp(
-        log_posterior(one.look.log_by_amplitude, found_.likelihood->priors().log_amplitude).front());
-  }
-
-  /// Whether an effect has values at every joint: it imitates several causes at once, and does not end the
-  /// search for those.
-  static bool imitates(const Candidate& candidate) {
-    return std::any_of(candidate.effects.begin(), candidate.effects.end(),
-                       [](const EffectAt& at) { return !at.effect->within_values.empty(); });
-  }
-
-  /// Whether nothing is left beside the leading single cause.
+  /// Whether nothing is left beside the leading single cause. Values at every joint imitate several causes at
+  /// once, and do not end the search for those.
   [[nodiscard]] bool one_cause_is_enough() const {
+    const auto imitates = [](const EffectAt& at) { return !at.effect->within_values.empty(); };
     for (const Hypothesis& one : found_.hypotheses)
-      if (!imitates(one.candidate)) return nothing_left(one) > 0.9;
+      if (std::none_of(one.candidate.effects.begin(), one.candidate.effects.end(), imitates))
+        return fits_.nothing_left(one) > 0.9;
     return false;
-  }
-
-  /// Fits side by side, in white noise and then weighed beside a discrepancy; maximises there what leads.
-  void fit(
-      const std::vector<Task>& tasks, const std::function<void(double)>& report = [](double) {}) {
-    std::vector<Hypothesis> fitted(tasks.size());
-    std::size_t done = 0;
-    std::mutex one_at_a_time;
-    in_parallel(tasks.size(), study_.threads(), [&](std::size_t t) {
-      if (affordable(tasks[t].candidate)) {
-        fitted[t] = fitted_roughly(tasks[t], *rough_likelihood_);
-        // An outlier may be what an effect does, which a fit without it does not see.
-        if (all_readings_ && tasks[t].candidate.effects.size() == 1)
-          if (Hypothesis other = fitted_roughly(tasks[t], *all_readings_);
-              other.converged && !(other.log_evidence < fitted[t].log_evidence && fitted[t].converged))
-            fitted[t] = std::move(other);
-      }
-      const std::lock_guard only(one_at_a_time);
-      report(static_cast<double>(++done) / static_cast<double>(tasks.size()));
-    });
-    for (Hypothesis& one : fitted) add(std::move(one));
-    sort();
-    refine(refined_at_once, near_best);
-  }
-
-  /// Fitted in white noise, and weighed beside a discrepancy.
-  [[nodiscard]] Hypothesis fitted_roughly(const Task& task, const Likelihood& white) const {
-    Hypothesis one =
-        maximised(study_, white, task.candidate, task.starts, rough(study_.measurements().size()));
-    if (one.converged) look_again(study_, *found_.likelihood, one);
-    return one;
-  }
-
-  /// Keeps the better of two fits of one candidate.
-  void add(Hypothesis one) {
-    if (!one.converged) return;
-    const auto place = std::find_if(found_.hypotheses.begin(), found_.hypotheses.end(),
-                                    [&](const Hypothesis& h) { return same(h.candidate, one.candidate); });
-    if (place == found_.hypotheses.end()) {
-      found_.hypotheses.push_back(std::move(one));
-    } else if (one.log_evidence > place->log_evidence) {
-      *place = std::move(one);
-    }
-  }
-
-  void sort() {
-    std::stable_sort(
-        found_.hypotheses.begin(), found_.hypotheses.end(),
-        [](const Hypothesis& a, const Hypothesis& b) { return a.log_evidence > b.log_evidence; });
-  }
-
-  /// Maximises beside a discrepancy what leads, and was not yet.
-  void refine(std::size_t most, double near) {
-    std::vector<Hypothesis*> leading;
-    for (Hypothesis& h : found_.hypotheses)
-      if (!h.refined && leading.size() < most &&
-          h.log_evidence > found_.hypotheses.front().log_evidence - near)
-        leading.push_back(&h);
-    in_parallel(leading.size(), study_.threads(), [&](std::size_t i) {
-      Hypothesis better =
-          maximised(study_, *found_.likelihood, leading[i]->candidate, leading[i]->parameters, fine);
-      better.refined = true;
-      if (better.converged) *leading[i] = std::move(better);
-    });
-    sort();
   }
 
   void fit_singles(const std::function<void(double)>& report) {
@@ -212,15 +75,11 @@ class Searcher {
       for (std::size_t j = 0; j < study_.scales().link_length.size(); ++j)
         if (study_.scales().joint_stiffness[j] > 0)
           tasks.push_back({Candidate{{EffectAt(row, j + 1)}}, initial_guesses(study_, EffectAt(row, j + 1))});
-    fit(tasks, report);
+    fits_.fit(tasks, report);
     for (const Hypothesis& h : found_.hypotheses)
       if (h.candidate.effects.size() == 1 && !h.candidate.effects.front().effect->outside &&
           h.jacobian.cwiseAbs().maxCoeff() == 0)
         found_.not_excited.push_back(h.candidate.effects.front());
-  }
-
-  [[nodiscard]] double squares(const Hypothesis& h) const {
-    return weight_.cwiseProduct(h.residual).squaredNorm();
   }
 
   /// The single effects that explain most, those by evidence and those by least squares.
@@ -229,8 +88,9 @@ class Searcher {
     for (const Hypothesis& h : found_.hypotheses)
       if (h.candidate.effects.size() == 1) by_evidence.push_back(&h);
     by_squares = by_evidence;
-    std::stable_sort(by_squares.begin(), by_squares.end(),
-                     [&](const Hypothesis* a, const Hypothesis* b) { return squares(*a) < squares(*b); });
+    std::stable_sort(by_squares.begin(), by_squares.end(), [&](const Hypothesis* a, const Hypothesis* b) {
+      return fits_.squares(*a) < fits_.squares(*b);
+    });
     std::vector<Hypothesis> result;
     std::set<const Hypothesis*> taken;
     for (std::size_t i = 0; i < std::min(count, by_evidence.size()); ++i)
@@ -250,13 +110,14 @@ class Searcher {
   void extend(const std::vector<Hypothesis>& from, std::size_t most) {
     std::vector<std::vector<Prospect>> prospects(from.size());
     in_parallel(from.size(), study_.threads(),
-                [&](std::size_t s) { prospects[s] = forecast(study_, weight_, listed_, from[s]); });
+                [&](std::size_t s) { prospects[s] = forecast(study_, fits_.weight(), listed_, from[s]); });
     std::vector<Task> tasks;
     for (std::size_t s = 0; s < from.size(); ++s)
       for (const Prospect& one : prospects[s]) {
         Candidate both = from[s].candidate;
         both.effects.push_back(one.effect);
-        if (find(both) == nullptr && affordable(both)) offer(tasks, {both, one.starts, one.cost});
+        if (fits_.find(both) == nullptr && affordable(study_, both))
+          offer(tasks, {both, one.starts, promise(one.cost, log_prior(study_, both), from[s].volume)});
       }
     fit_most_promising(std::move(tasks), most);
   }
@@ -264,30 +125,30 @@ class Searcher {
   /// Keeps the better of two ways to one candidate.
   static void offer(std::vector<Task>& tasks, Task one) {
     const auto place = std::find_if(tasks.begin(), tasks.end(),
-                                    [&](const Task& t) { return same(t.candidate, one.candidate); });
+                                    [&](const Task& t) { return is_same(t.candidate, one.candidate); });
     if (place == tasks.end()) {
       tasks.push_back(std::move(one));
-    } else if (one.cost < place->cost) {
+    } else if (one.promise > place->promise) {
       *place = std::move(one);
     }
   }
 
-  /// Log likelihood in white noise, times the prior of the candidate.
-  [[nodiscard]] double promise(double cost, const Candidate& candidate) const {
-    return -cost / 2 + log_prior(study_, candidate);
+  /// Log evidence in white noise. The volume of what is extended stands for that of the whole, which is no
+  /// larger.
+  [[nodiscard]] static double promise(double squares, double log_prior, const Volume& volume) {
+    return -squares / 2 + log_prior + volume.log();
   }
 
   void fit_most_promising(std::vector<Task> tasks, std::size_t most) {
     constexpr double margin = 3;  // nats, of a linear forecast
     double reached = -std::numeric_limits<double>::infinity();
     for (const Hypothesis& h : found_.hypotheses)
-      if (!imitates(h.candidate)) reached = std::max(reached, promise(squares(h), h.candidate));
-    std::erase_if(tasks, [&](const Task& t) { return promise(t.cost, t.candidate) < reached - margin; });
-    std::stable_sort(tasks.begin(), tasks.end(), [&](const Task& a, const Task& b) {
-      return promise(a.cost, a.candidate) > promise(b.cost, b.candidate);
-    });
+      reached = std::max(reached, promise(fits_.squares(h), h.log_prior, h.volume));
+    std::erase_if(tasks, [&](const Task& t) { return t.promise < reached - margin; });
+    std::stable_sort(tasks.begin(), tasks.end(),
+                     [](const Task& a, const Task& b) { return a.promise > b.promise; });
     if (tasks.size() > most) tasks.resize(most);
-    fit(tasks);
+    fits_.fit(tasks);
   }
 
   /// Manufacturing tolerances, alone and beside what leads. Those of a joint alone are its own stiffness and
@@ -310,7 +171,7 @@ class Searcher {
       start.resize(study_.ranges(both).size(), 0.0);
       tasks.push_back({both, {{start}, 1}});
     }
-    fit(tasks);
+    fits_.fit(tasks);
   }
 
   /// The leading hypotheses without each of their effects, and with every other effect in its place: a set of
@@ -330,7 +191,7 @@ class Searcher {
           parts.push_back({rest.candidate, {{rest.parameters}, 1}});
       }
     });
-    fit(parts);
+    fits_.fit(parts);
     std::vector<Hypothesis> rests;
     for_each_leading([&](const Hypothesis& h) {
       for (const Hypothesis& rest : found_.hypotheses)
@@ -367,28 +228,24 @@ class Searcher {
     const auto step_on = [&](const Effect* row) {
       Task task{last.candidate, initial_guesses_of_order(study_, last, e, *row)};
       task.candidate.effects[e] = EffectAt(*row, last.candidate.effects[e].joint);
-      fit({task});
-      if (const Hypothesis* found = find(task.candidate)) last = *found;
+      fits_.fit({task});
+      if (const Hypothesis* found = fits_.find(task.candidate)) last = *found;
     };
     std::for_each(std::make_reverse_iterator(own), rows.rend(), step_on);
     std::for_each(rows.begin() + 1, rows.end(), step_on);
   }
 
-  /// Estimates the noise again where the best hypothesis is taken away, and weighs all by it.
-  void settle() {
-    if (found_.hypotheses.empty()) return;
-    for (int round = 0; round < 2; ++round) {
-      const NoiseShape before = found_.likelihood->shape();
-      NoiseShape start(study_.measurements());
-      start.outlier = before.outlier;
-      set_likelihoods(found_.hypotheses.front().residual, std::move(start), Departures::sought);
-      for (Hypothesis& h : found_.hypotheses) look_again(study_, *found_.likelihood, h);
-      sort();
-      const NoiseShape& now = found_.likelihood->shape();
-      if (now.outlier == before.outlier && now.relative == before.relative) break;
-    }
-    for (Hypothesis& h : found_.hypotheses) h.refined = false;
-    refine(refined_at_last, near_best / 2);
+  /// The leading hypotheses without each of their effects, fitted from what the others are there: a simpler
+  /// one lacks no evidence for the place where its own fit began.
+  void simplify() {
+    std::vector<Instance> parts;
+    for (std::size_t i = 0; i < std::min(taken_apart, found_.hypotheses.size()); ++i)
+      for (const EffectAt& gone : found_.hypotheses[i].candidate.effects)
+        if (const Hypothesis& h = found_.hypotheses[i];
+            h.candidate.count() > 1 && !h.candidate.has_as_tolerance(gone))
+          parts.push_back(
+              part(study_, h.candidate, h.parameters, [&](const EffectAt& at) { return !(at == gone); }));
+    fits_.maximise(parts);
   }
 
   /// A hypothesis with an idle effect is another, simpler one.
@@ -405,13 +262,9 @@ class Searcher {
   }
 
   const Study& study_;
-  VectorXd nominal_residual_;
-  std::vector<EffectAt> listed_;  ///< of the catalogue and the user's
-  Findings found_;
-  std::shared_ptr<const Likelihood> rough_likelihood_;  ///< in white noise
-  std::shared_ptr<const Likelihood>
-      all_readings_;  ///< the same, no reading an outlier; none where none is marked
-  VectorXd weight_;   ///< by value: one over its noise, in declared sigmas
+  Fits fits_;
+  Findings& found_;
+  std::vector<EffectAt> listed_;                 ///< of the catalogue and the user's
   std::set<std::string> from_whole_, replaced_;  ///< labels: fitted from a larger one; extended by all
 };
 

@@ -5,6 +5,7 @@ import numpy as np
 from scipy.optimize import least_squares
 
 from catalogue import CONTAINS, key, rows_at
+from noise import Noise
 from statics import clean_readings
 from tolerances import imitating_tolerances, with_tolerances
 from truth import Truth
@@ -28,14 +29,15 @@ class Fit:
 
 
 class Readings:
-    """Changes of a bench's readings by rows, in standard deviations of the noise."""
+    """Changes of a bench's readings by rows, in independent standard deviations of the noise."""
 
-    def __init__(self, bench):
-        self.bench = bench
-        self.nominal = np.concatenate([read.ravel() for read in clean_readings(bench, Truth.none(bench.size))])
+    def __init__(self, bench, noise=Noise()):
+        self.bench, self.noise = bench, noise
+        self.nominal = clean_readings(bench, Truth.none(bench.size))
 
     def of(self, truth):
-        return (np.concatenate([read.ravel() for read in clean_readings(self.bench, truth)]) - self.nominal) / self.bench.noise
+        return np.concatenate([self.noise.told(self.bench, nominal, read - nominal).ravel()
+                               for nominal, read in zip(self.nominal, clean_readings(self.bench, truth))])
 
     def of_rows(self, rows, values):
         truth = Truth.none(self.bench.size)
@@ -105,9 +107,9 @@ def contain(keys, true_keys):
     return any((one, true) in CONTAINS and one not in true_keys for one in keys for true in true_keys)
 
 
-def aliases(bench, planted):
+def aliases(bench, planted, noise=Noise()):
     """Explanations, each a list of keys, that leave no more than nobody could tell. `planted` is a list of (row, place, values)."""
-    readings = Readings(bench)
+    readings = Readings(bench, noise)
     true = Fit(tuple((row, place) for row, place, _ in planted), [np.array(x) for _, _, x in planted], 0.0)
     change = readings.of_rows(true.rows, true.values)
     single = readings.singles(change, NEAR if len(planted) == 1 else NEAR_BESIDE)

@@ -109,7 +109,7 @@ def with_effects(readings, family, random, recipe):
     for row, place, values, _ in planted:
         row.put(truth, bench, place, values)
     effects = [effect(row.id, place, row.names, values, one) for row, place, values, one in planted]
-    return truth, effects, aliases(bench, [one[:3] for one in planted]), ""
+    return truth, effects, [one[:3] for one in planted], ""
 
 
 def with_outside(readings, random, recipe):
@@ -139,10 +139,11 @@ def attempt(make, family, random, recipe):
         found = with_outside(readings, random, recipe) if family == OUT else with_effects(readings, family, random, recipe)
     if found is None:
         return None
-    truth, effects, equivalent, words = found
+    truth, effects, planted, words = found
     whole = strength(Readings(bench), truth)
-    noisy, kind, scale = with_noise(bench, clean_readings(bench, truth), random, recipe)
-    return Drawn(bench, noisy, effects, whole, f"outside: {words}" if words else family, kind, scale, equivalent, words)
+    noisy, noise = with_noise(bench, clean_readings(bench, truth), random, recipe)
+    equivalent = aliases(bench, planted, noise) if planted else []
+    return Drawn(bench, noisy, effects, whole, f"outside: {words}" if words else family, noise.kind, noise.scale, equivalent, words)
 
 
 def draw(number, seed, recipe=PLAIN):

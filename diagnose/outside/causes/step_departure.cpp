@@ -21,7 +21,7 @@ std::vector<Eigen::Index> ends_of_runs(const Measurements& measurements, const B
   return end;
 }
 
-using Place = std::pair<std::size_t, std::size_t>;  // run and reading
+using RunAndReading = std::pair<std::size_t, std::size_t>;  // run and reading
 
 /// From some reading on, an amount of its own is added to each channel or not, as probably: something
 /// slipped, broke or was moved. It lasts to the end of its run, or of the session where the runs are parts of
@@ -32,7 +32,7 @@ class StepDeparture final : public OutsideCause {
     const std::unique_ptr<Likelihood> alone = left.likelihood.of_noise_alone();
     const bool one_session = left.likelihood.states().one_session;
     std::vector<double> gain;
-    const std::map<Place, double> factor = factors(*alone, left.residual, one_session);
+    const std::map<RunAndReading, double> factor = factors(*alone, left.residual, one_session);
     for (auto step = std::next(factor.begin()); step != factor.end(); ++step)
       if (one_session || std::prev(step)->first.first == step->first.first) gain.push_back(step->second);
     if (gain.empty()) return {-std::numeric_limits<double>::infinity()};
@@ -41,14 +41,14 @@ class StepDeparture final : public OutsideCause {
   }
 
   /// By run and reading: log Bayes factor of a step that begins there.
-  static std::map<Place, double> factors(const Likelihood& alone, const VectorXd& residual,
+  static std::map<RunAndReading, double> factors(const Likelihood& alone, const VectorXd& residual,
                                          bool one_session) {
     const Measurements& measurements = alone.measurements();
     const auto place_of = [&](Eigen::Index row) {
       const ReadingPlace& at = measurements.places()[static_cast<std::size_t>(row)];
-      return Place(at.run, at.reading);
+      return RunAndReading(at.run, at.reading);
     };
-    std::map<Place, double> factor;
+    std::map<RunAndReading, double> factor;
     for (Eigen::Index row = 0; row < residual.size(); ++row) factor.emplace(place_of(row), 0.0);
     for (std::size_t b = 0; b < alone.blocks().size(); ++b) {
       const Block& block = measurements.blocks()[b];
