@@ -76,6 +76,8 @@ inline constexpr double whole_cause_leaves = 0.2;
 
 /// Of a cause that is not among those named, over that of naming one cause more.
 inline constexpr double wrong_over_further_name = 20;
+/// The same where one cause alone is named: nobody looks for another then.
+inline constexpr double wrong_alone_over_further_name = 30;
 /// The largest class that helps: no more causes are named.
 inline constexpr std::size_t largest_class = 8;
 /// Power of the evidence where a discrepancy is as large as the noise: neighbouring readings share it, and

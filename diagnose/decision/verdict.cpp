@@ -24,9 +24,16 @@ std::string verdict_word(CauseVerdict verdict) {
 
 namespace {
 
-/// Many causes, none of them worth naming, can be as probable together as one that is.
-void name_the_next(const Posterior& posterior, Verdict& verdict) {
-  if (posterior.causes.size() > 1 && posterior.causes[1].probability > posterior.outside)
+/// A cause in the catalogue, or one outside of it, that is named beside the only one where that costs less:
+/// many causes, none of them worth naming by itself, can be as probable together as one that is.
+void name_another(const Posterior& posterior, Verdict& verdict) {
+  double others = posterior.outside;
+  for (std::size_t i = 1; i < posterior.causes.size(); ++i) others += posterior.causes[i].probability;
+  const double next_listed = posterior.causes.size() > 1 ? posterior.causes[1].probability : 0,
+               next = std::max(posterior.outside, next_listed);
+  if (priors::wrong_alone_over_further_name * others <= 1 + priors::wrong_over_further_name * (others - next))
+    return;
+  if (next_listed > posterior.outside)
     ++verdict.named;
   else
     verdict.or_outside = true;
@@ -49,8 +56,7 @@ Verdict decide(const Posterior& posterior) {
   for (const CauseProbability& one : posterior.causes)
     if (verdict.named == 0 || (one.probability >= worth_naming && names() < priors::largest_class))
       ++verdict.named;
-  if (names() == 1 && posterior.causes.front().probability < (1 - ratio) * (1 - posterior.no_gap))
-    name_the_next(posterior, verdict);
+  if (names() == 1) name_another(posterior, verdict);
   verdict.verdict = names() > 1 ? CauseVerdict::ambiguous : CauseVerdict::identified;
   return verdict;
 }

@@ -33,7 +33,59 @@ Experiment logged(int steps) {
   return experiment;
 }
 
+/// Every reading written so many times, as a logger does that is faster than its sensor.
+Experiment written_again(Experiment experiment, std::size_t times) {
+  for (Run& run : experiment.runs) {
+    std::vector<Reading> readings;
+    for (const Reading& reading : run.readings)
+      for (std::size_t copy = 0; copy < times; ++copy) readings.push_back(reading);
+    run.readings = std::move(readings);
+  }
+  return experiment;
+}
+
+std::vector<double> values_of(const Run& run, std::size_t column) {
+  std::vector<double> values;
+  for (const Reading& reading : run.readings) values.push_back(reading[column]);
+  return values;
+}
+
 }  // namespace
+
+TEST_CASE("readings that a logger wrote again are one, and keep their numbers") {
+  const Experiment once = logged(20);
+  for (const std::size_t times : {2, 3, 4}) {
+    const Run run = decimated(written_again(once, times)).runs[0];
+    CHECK(values_of(run, column_Fx) == values_of(once.runs[0], column_Fx));
+    CHECK(run.is_thinned());
+    CHECK(run.first_taken(3) == 3 * times);
+    CHECK(run.last_taken(3) == 4 * times - 1);
+  }
+}
+
+TEST_CASE("equal readings of a coarse display are readings of their own") {
+  // At one command, steps of two standard deviations: neighbours are equal as often as not.
+  Experiment experiment = logged(20);
+  std::mt19937_64 random(7);
+  std::normal_distribution<double> normal;
+  Run& run = experiment.runs[0];
+  for (Reading& reading : run.readings) {
+    reading = run.readings.front();
+    for (const Channel& channel : run.measured()) {
+      const double step = 2 * channel.sigma(experiment.noise);
+      channel.in(reading) = step * std::round(0.5 * normal(random));
+    }
+  }
+  CHECK(decimated(experiment).runs[0].readings.size() == run.readings.size());
+}
+
+TEST_CASE("a sensor that holds its value while the command moves is left as it is") {
+  Experiment experiment = logged(20);
+  Run& run = experiment.runs[0];
+  for (std::size_t i = 1; i < run.readings.size(); i += 2)
+    for (const Channel& channel : run.measured()) channel.in(run.readings[i]) = channel.of(run.readings[i - 1]);
+  CHECK(decimated(experiment).runs[0].readings.size() == run.readings.size());
+}
 
 TEST_CASE("a short experiment is not decimated") {
   const Experiment same = decimated(logged(400));

@@ -27,7 +27,9 @@ Posterior posterior_of(double no_gap, double outside, const std::vector<double>&
 double expected_loss(const Posterior& posterior, std::size_t named, bool or_outside) {
   double missed = or_outside ? 0 : posterior.outside;
   for (std::size_t i = named; i < posterior.causes.size(); ++i) missed += posterior.causes[i].probability;
-  return static_cast<double>(named + (or_outside ? 1 : 0)) + priors::wrong_over_further_name * missed;
+  const std::size_t names = named + (or_outside ? 1 : 0);
+  return static_cast<double>(names) +
+         (names > 1 ? priors::wrong_over_further_name : priors::wrong_alone_over_further_name) * missed;
 }
 
 }  // namespace
@@ -82,6 +84,17 @@ TEST_CASE("no other number of names costs less") {
       for (const bool or_outside : {false, true})
         RC_ASSERT(loss <= expected_loss(posterior, named, or_outside) + 1e-9);
   });
+}
+
+TEST_CASE("many causes that are not worth naming keep one from being named alone") {
+  // Alone: 1 + 30 * 0.1 = 4; with the next: 2 + 20 * 0.09 = 3.8.
+  const Verdict verdict =
+      decide(posterior_of(0, 0, {0.9, 0.01, 0.01, 0.01, 0.01, 0.01, 0.01, 0.01, 0.01, 0.01, 0.01}));
+  CHECK(verdict.verdict == CauseVerdict::ambiguous);
+  CHECK(verdict.named == 2);
+  const Verdict outside = decide(posterior_of(0, 0.04, {0.93, 0.03}));
+  CHECK(outside.named == 1);
+  CHECK(outside.or_outside);
 }
 
 TEST_CASE("a class is never larger than helps") {
