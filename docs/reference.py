@@ -28,6 +28,8 @@ FORMATS = [
     ("gap-campaign", "The report of many", "What `plumbline diagnose FOLDER FOLDER … --json` writes ([how](many-experiments.md)).", False),
     ("experiment-plan", "The plan", "What `plumbline diagnose FOLDER --plan --json` writes ([how](plan.md)).", False),
 ]
+# These say all their keys but for those that are said to be absent.
+REPORTS = ("gap-diagnosis", "gap-campaign", "experiment-plan")
 
 
 class Schema:
@@ -58,34 +60,30 @@ class Schema:
         return self.resolved(node, whatever).get("properties", {})
 
     def words(self, node):
-        """What a key means, then its values, then the keys of its own."""
+        """What a key means, and its values where that does not name them."""
         said = node.get("description", "")
-        values = [f"`{json.dumps(value)}`" if isinstance(value, str) else str(value) for value in node.get("enum", [])]
-        if isinstance(node.get("const"), str):
-            values = [f'`"{node["const"]}"`']
-        if values and not all(value.strip('`"') in said for value in values):
-            said = ", ".join(filter(None, [said, " or ".join(values)]))
+        values = [f'`"{value}"`' for value in [*node.get("enum", []), node.get("const")] if isinstance(value, str)]
+        if all(value.strip('`"') in said for value in values):
+            values = []
+        return ", ".join(filter(None, [said, *values]))
+
+    def keys(self, node, said):
+        """The keys of a key's own table; none that its meaning names already, but for values to choose from."""
         inner = self.members(node)
-        if all(f"`{key}`" in said for key, one in inner.items()):
-            inner = {key: one for key, one in inner.items() if self.enumerated(one)}
-        return ": ".join(filter(None, [said, "; ".join(f"`{key}` {self.words(one)}".strip() for key, one in inner.items())]))
-
-    @staticmethod
-    def enumerated(node):
-        return "enum" in node
+        named = all(f"`{key}`" in said for key in inner)
+        return {key: one for key, one in inner.items() if not named or any(isinstance(value, str) for value in one.get("enum", []))}
 
 
-def entries(schema, node, left_out=(), whatever=False):
-    """A line for each key; keys of one meaning share it."""
-    required = schema.resolved(node, whatever).get("required", [])
+def entries(schema, members, required, depth=0):
+    """A line for each key, and below it those of its own table; keys of one meaning share a line."""
     names = {}
-    for key, one in schema.members(node, whatever).items():
-        if key not in left_out:
-            words = "as in the report" if key == "provenance" and "description" not in one else schema.words(one)
-            names.setdefault(words, []).append(f"**`{key}`**" if key in required else f"`{key}`")
-    for words, keys in names.items():
-        yield textwrap.fill("- " + ", ".join(keys) + (f": {words}" if words else ""), 150, subsequent_indent="  ",
-                            break_long_words=False, break_on_hyphens=False) + "\n"
+    for key, node in members.items():
+        words = "as in the report" if key == "provenance" and "description" not in node else schema.words(node)
+        inner = "".join(entries(schema, schema.keys(node, words), (), depth + 1))
+        names.setdefault((words, inner), []).append(f"**`{key}`**" if key in required else f"`{key}`")
+    for (words, inner), keys in names.items():
+        yield textwrap.fill("- " + ", ".join(keys) + (f": {words}" if words else ""), 150, initial_indent="  " * depth,
+                            subsequent_indent="  " * (depth + 1), break_long_words=False, break_on_hyphens=False) + "\n" + inner
 
 
 def sentence(words):
@@ -94,21 +92,22 @@ def sentence(words):
 
 def section(name, heading, said, divided):
     schema = Schema(name)
+    toml = name.endswith("experiment")
+
+    def listed(node, whatever=False):
+        required = schema.resolved(node, whatever).get("required", []) if name not in REPORTS else ()
+        return "".join(entries(schema, {key: one for key, one in schema.members(node, whatever).items() if node is not schema.root or key not in tables},
+                               required))
+
     tables = [key for key, node in schema.members(schema.root).items() if divided and schema.members(node, whatever=True)]
-    text = f"\n## {heading}\n\n{said}\n[schemas/{name}.schema.json](schemas/{name}.schema.json)\n\n"
-    if name in ("gap-diagnosis", "gap-campaign", "experiment-plan"):
-        schema.root["required"] = []
-    text += "".join(entries(schema, schema.root, left_out=tables))
+    text = f"\n## {heading}\n\n{said}\n[schemas/{name}.schema.json](schemas/{name}.schema.json)\n\n" + listed(schema.root)
     for key in tables:
         node = schema.members(schema.root)[key]
-        if name == "gap-diagnosis":
-            schema.resolved(node, whatever=True)["required"] = []
-        title = key if not name.endswith("experiment") else f"[[{key}]]" if node.get("type") == "array" else f"[{key}]"
-        text += f"\n### {title}\n\n" + sentence(node.get("description", ""))
-        text += "".join(entries(schema, node, whatever=True))
+        title = key if not toml else f"[[{key}]]" if node.get("type") == "array" else f"[{key}]"
+        text += f"\n### {title}\n\n" + sentence(node.get("description", "")) + listed(node, whatever=True)
     for one in (schema.definitions.values() if divided else ()):
         if "title" in one:
-            text += f"\n### {one['title']}\n\n{one['description']}\n\n" + "".join(entries(schema, one))
+            text += f"\n### {one['title']}\n\n{one['description']}\n\n" + listed(one)
     return text
 
 
