@@ -6,10 +6,12 @@ usage: style.test.py [SOURCE]
 Files of more lines than the rule allows are listed with the reason in long-files.md, which may only shrink.
 """
 import os
+import pathlib
 import re
 import shutil
 import subprocess
 import sys
+import tempfile
 
 COLUMNS = 120
 LINES = 400
@@ -87,7 +89,7 @@ def place(name):
 
 def upward(source):
     for name in files(source, LIBRARIES, (".cpp", ".hpp")):
-        for other in re.findall(r'#include "([a-z/_]+)"', text(source, name)):
+        for other in re.findall(r'#include "([a-z0-9/_.]+)"', text(source, name)):
             here, there = place(name), place(other)
             if any(here in line and there in line and line.index(there) > line.index(here) for line in ARROWS):
                 yield f"{name}: found an include of {there}/, which uses {here}/"
@@ -122,7 +124,25 @@ def prose(source):
                 yield f"{name}:{line}: “{sentence[:40]}…”: found {len(words)} words, expected at most {WORDS}"
 
 
+def planted():
+    """Every check finds the fault that is planted for it, and no other."""
+    pages = {"core/long.cpp": "int a();\n" * LINES, "core/up.hpp": '#include "app/verb.hpp"\n',
+             "core/wide.hpp": "/// " + "word " * 30 + "\n", "diagnose/change/fine.hpp": '#include "diagnose/rig/rig.hpp"\n',
+             "README.md": "# A title\n\nWhat is it? Where it leads is not said.\n\n| What | a table |\n",
+             "verify/papers/README.md": "word " * (WORDS + 1) + "end.\n", "docs/page.md": "```sh\nWhat a line.\n```\n",
+             "tests/style/long-files.md": "| `core/gone.cpp` | 500 | none |\n"}
+    with tempfile.TemporaryDirectory() as folder:
+        for name, content in pages.items():
+            place = pathlib.Path(folder, name)
+            place.parent.mkdir(parents=True, exist_ok=True)
+            place.write_text(content, encoding="utf-8")
+        found = {check.__name__: [line.split(":")[0] for line in check(folder)] for check in (wide, long_files, upward, prose)}
+    assert found == {"wide": ["core/wide.hpp"], "long_files": ["core/long.cpp", "tests/style/long-files.md"], "upward": ["core/up.hpp"],
+                     "prose": ["README.md", "verify/papers/README.md"]}, found
+
+
 def main():
+    planted()
     source = sys.argv[1] if len(sys.argv) > 1 else os.path.join(os.path.dirname(__file__), "..", "..")
     found = [complaint for check in (unformatted, wide, long_files, upward, prose) for complaint in check(source)]
     print("\n".join(found) if found else "layout, lengths, folder arrows and prose: as docs/contributing.md asks")
