@@ -220,7 +220,7 @@ class Draw:
         key, value = self.random.choice([
             ("lengths", ["=1"] * (links + 1)), ("lengths", ["=-1"] * links), ("lengths", "long"), ("foundation", ["=1"]), ("foundation", True),
             ("base", 3), ("base", "loose"), ("base", {"along": "held", "acros": 1}), ("base", {"across": True}), ("end_point", []),
-            ("end_point", {"turn": "fixed"}), ("end_point", {"along": "held"}), ("loads", {"force": [-1, 0]}), ("loads", [{}]), ("loads", []),
+            ("end_point", {"turn": "fixed"}), ("ends", {"base": {"along": "held"}, "end_point": {"along": "held"}}), ("loads", {"force": [-1, 0]}), ("loads", [{}]), ("loads", []),
             ("supports", [{"at": 1, "across": 1}]), ("supports", [{"at": links + 1, "across": "held"}]), ("supports", [{"at": 2.5, "across": 1}]),
             ("supports", [{"at": 2, "across": 1}] * 2), ("supports", [{"at": 2}]), ("supports", [{"at": 2, "across": True}]),
             ("supports", {"at": 2, "across": 1}), ("masses", ["=1"] * (links + 2)), ("masses", "heavy"), ("weight", 1),
@@ -229,7 +229,7 @@ class Draw:
         if key in ("fixed", "at", "colour", "moment", "follower"):
             load[key] = value
         else:
-            table[key] = value
+            table.update(value if key == "ends" else {key: value})
         return table
 
     # bent

@@ -123,11 +123,14 @@ def numbers_of(equilibrium, factor):
 
 
 def turned_together(statement, a, b):
-    """How far two shapes are apart; a joint without a spring does not know whole turns."""
-    gaps = []
+    """How far two shapes are apart; a joint without a spring does not know whole turns, but what holds the end's turning knows their sum."""
+    gaps, whole = [], 0
     for (joint, axis, stiffness), x, y in zip(energy.turns(statement), a, b):
-        gap = abs(x - y)
-        gaps.append(abs((gap + math.pi) % (2 * math.pi) - math.pi) if not stiffness else gap)
+        turns = 0 if stiffness else round((x - y) / (2 * math.pi))
+        gaps.append(abs(x - y - 2 * math.pi * turns))
+        whole += turns
+    if whole and not statement.space and statement.end_point.turn != "free":
+        return 2 * math.pi * abs(whole)
     return max(gaps)
 
 

@@ -11,6 +11,7 @@ import census
 import dynamics
 import energy
 import integers
+import judge_bent
 import modes
 import polynomials as poly
 from decimals import agrees
@@ -54,6 +55,18 @@ class Published(unittest.TestCase):
         text = CANTILEVER.format(one=[1, 1]) + "masses = [2, 1]\nloads = [{ follower = 1 }]"
         self.assertAlmostEqual(losses(text)[0][0], 3.5 - math.sqrt(2), 12)
         self.assertEqual(losses(text)[0][1:], ("stable", "flutter", "flutter"))
+
+
+class Turns(unittest.TestCase):
+    """Half a turn either way of a passive link is one shape, unless something counts the turns of the link."""
+
+    def apart(self, end):
+        structure = read(f"lengths = [1, 1]\nstiffness = [0, 1]\nend_point = {end}\n")
+        return judge_bent.turned_together(structure, [math.pi, 0.1], [-math.pi, 0.1])
+
+    def test_whole_turns(self):
+        self.assertLess(self.apart("{ across = 'held' }"), 1e-12)
+        self.assertAlmostEqual(self.apart("{ across = 'held', turn = 0.5 }"), 2 * math.pi)
 
 
 class Touching(unittest.TestCase):

@@ -131,7 +131,10 @@ TEST_CASE("path and equilibria follow other ends and loads, and say what they do
   CHECK(contains(all.out, "certified: these are all in the window"));
   CHECK(contains(here.plumbline("equilibria c.toml --factor 1").out, "3 equilibria"));
   check_refused(here.plumbline("path c.toml --to 0.1"));
-  check_refused(here.plumbline("path c.toml --factor 1 --certify"));
+  const Outcome proved = here.plumbline("path c.toml --factor 1 --certify");
+  CHECK(proved.status == 0);
+  CHECK(contains(proved.out, "not covered, a bifurcation"));
+  CHECK_FALSE(contains(proved.out, "NOT proved"));
   check_refused(here.plumbline("equilibria c.toml --at 0.1,0"));
   here.write("plain.toml", "lengths = [1, 1]\nstiffness = [1, 1]\n");
   check_refused(here.plumbline("path plain.toml --factor 1"));
