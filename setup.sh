@@ -43,7 +43,7 @@ python=(
 # the site: the reference
 docs=(doxygen)
 tests=(
-  ccache doctest-dev librapidcheck-dev python3-jsonschema python3-mpmath
+  ccache doctest-dev librapidcheck-dev python3-jsonschema python3-mpmath clang-format
   # the simulated bench of the blind trial, and the models of simulators
   "${models[@]}"
   # many machines

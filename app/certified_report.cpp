@@ -10,13 +10,14 @@ namespace {
 
 constexpr int shown_digits = 12;
 
-std::string text(const proofs::CertifiedRun& run) {
+std::string text(const proofs::CertifiedRun& run, const char* of) {
   return fmt::format(
-      "  load from {:.9g} to {:.9g}: {}\n", run.from, run.to,
+      "  {} from {:.9g} to {:.9g}: {}\n", of, run.from, run.to,
       run.negative_directions == 0 ? "stable" : fmt::format("unstable ({})", run.negative_directions));
 }
 
-std::string_view title(const proofs::PathCertificate& one) {
+template <class Certificate>
+std::string_view title(const Certificate& one) {
   return !one.certified()   ? "proved in part"
          : one.gaps.empty() ? "one smooth branch"
                             : "smooth but for the gaps";
@@ -38,6 +39,13 @@ nlohmann::ordered_json pair(const proofs::Span& loads) {
 nlohmann::ordered_json pairs(const std::vector<proofs::Span>& loads) {
   auto list = nlohmann::ordered_json::array();
   for (const proofs::Span& load : loads) list.push_back(pair(load));
+  return list;
+}
+
+nlohmann::ordered_json to_json(const std::vector<proofs::CertifiedRun>& runs) {
+  auto list = nlohmann::ordered_json::array();
+  for (const proofs::CertifiedRun& run : runs)
+    list.push_back({{"from", run.from}, {"to", run.to}, {"negative_directions", run.negative_directions}});
   return list;
 }
 
@@ -64,7 +72,7 @@ std::string as_text(const proofs::JoinedBranches& proved) {
     all +=
         fmt::format("part {}: {} in {} segments; the points are within {:.1e} rad of it, the chords {:.1e}\n",
                     b + 1, title(one), one.segments, one.distance, one.tube);
-    for (const proofs::CertifiedRun& run : one.runs) all += text(run);
+    for (const proofs::CertifiedRun& run : one.runs) all += text(run, "load");
     for (const proofs::Span& fold : one.folds)
       all += "  the load turns once in " + text(fold, shown_digits) + "\n";
     for (const proofs::Span& least : one.softest)
@@ -89,9 +97,7 @@ nlohmann::ordered_json as_json(const proofs::JoinedBranches& proved) {
   auto list = nlohmann::ordered_json::array();
   for (std::size_t b = 0; b < proved.branches.size(); ++b) {
     const proofs::PathCertificate& one = proved.branches[b];
-    auto runs = nlohmann::ordered_json::array(), gaps = runs, forks = runs;
-    for (const proofs::CertifiedRun& run : one.runs)
-      runs.push_back({{"from", run.from}, {"to", run.to}, {"negative_directions", run.negative_directions}});
+    auto gaps = nlohmann::ordered_json::array(), forks = gaps;
     for (const proofs::Gap& gap : one.gaps)
       gaps.push_back({{"load", pair(gap.loads)}, {"unfolded", gap.unfolded}});
     for (const proofs::ProvedFork& fork : proved.forks) {
@@ -103,13 +109,48 @@ nlohmann::ordered_json as_json(const proofs::JoinedBranches& proved) {
                     {"segments", one.segments},
                     {"widest_tube", one.tube},
                     {"farthest_point", one.distance},
-                    {"runs", runs},
+                    {"runs", to_json(one.runs)},
                     {"folds", pairs(one.folds)},
                     {"finite_stiffness", one.finite},
                     {"least_stiffness", pairs(one.softest)},
                     {"least_stiffness_counted", one.certified() && one.counted},
                     {"gaps", gaps},
                     {"pitchforks", forks},
+                    {"failure", failure}});
+  }
+  return list;
+}
+
+std::string as_text(const std::vector<proofs::StructureCertificate>& proved) {
+  std::string all = "\nProved by interval arithmetic, the chain's numbers as exact decimals\n";
+  for (std::size_t b = 0; b < proved.size(); ++b) {
+    const proofs::StructureCertificate& one = proved[b];
+    all +=
+        fmt::format("part {}: {} in {} segments; the points are within {:.1e} rad of it, the chords {:.1e}\n",
+                    b + 1, title(one), one.segments, one.distance, one.tube);
+    for (const proofs::CertifiedRun& run : one.runs) all += text(run, "factor");
+    for (const proofs::Span& fold : one.folds)
+      all += "  the factor turns once in " + text(fold, shown_digits) + "\n";
+    for (const proofs::Span& gap : one.gaps)
+      all += "  not covered, a bifurcation or nearly one (not decided), " + text(gap, shown_digits) + "\n";
+    if (one.failed_at)
+      all += fmt::format("  NOT proved from {} on: {}\n", text(*one.failed_at, shown_digits), one.failure);
+  }
+  return all;
+}
+
+nlohmann::ordered_json as_json(const std::vector<proofs::StructureCertificate>& proved) {
+  auto list = nlohmann::ordered_json::array();
+  for (const proofs::StructureCertificate& one : proved) {
+    nlohmann::ordered_json failure;
+    if (one.failed_at) failure = {{"factor", pair(*one.failed_at)}, {"reason", one.failure}};
+    list.push_back({{"certified", one.certified()},
+                    {"segments", one.segments},
+                    {"widest_tube", one.tube},
+                    {"farthest_point", one.distance},
+                    {"runs", to_json(one.runs)},
+                    {"folds", pairs(one.folds)},
+                    {"gaps", pairs(one.gaps)},
                     {"failure", failure}});
   }
   return list;

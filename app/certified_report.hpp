@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "proofs/paths/certified_structure.hpp"
 #include "proofs/paths/joined_branches.hpp"
 
 namespace plumbline::app {
@@ -14,5 +15,9 @@ bool complete(const proofs::JoinedBranches& proved);
 std::string as_text(const proofs::JoinedBranches& proved);
 /// One entry a branch.
 nlohmann::ordered_json as_json(const proofs::JoinedBranches& proved);
+
+std::string as_text(const std::vector<proofs::StructureCertificate>& proved);
+/// One entry a branch.
+nlohmann::ordered_json as_json(const std::vector<proofs::StructureCertificate>& proved);
 
 }  // namespace plumbline::app

@@ -76,11 +76,22 @@ void run_other(const PathOptions& options, Outputs& outputs, files::OutputFile* 
   const Progress progress("path", 0);
   const proofs::StructurePath path = options.branches == "stable" ? proofs::follow_slowly(chain.model, task)
                                                                   : proofs::follow_all(chain.model, task);
+  std::vector<proofs::StructureCertificate> certified;
+  if (options.certify) {
+    for (const auto& branch : path.branches)
+      certified.push_back(proofs::certify(*options.chain.structure, branch, options.factor));
+  }
   for (const std::string& warning : path.warnings) complain("warning: " + warning);
   if (csv) csv->write(as_csv(chain, path));
-  if (json) json->write(page::json_text(as_json(chain, path), outputs.provenance()));
+  if (json) {
+    auto all = as_json(chain, path);
+    if (options.certify) all["certificates"] = as_json(certified);
+    json->write(page::json_text(std::move(all), outputs.provenance()));
+  }
   outputs.commit();
-  if (!csv && !json) fmt::print("{}", as_text(chain, path));
+  if (!csv && !json) fmt::print("{}{}", as_text(chain, path), options.certify ? as_text(certified) : "");
+  if (!std::all_of(certified.begin(), certified.end(), [](const auto& one) { return one.certified(); }))
+    throw CLI::RuntimeError(1);
 }
 
 void run(PathOptions options, const CLI::App& verb) {
@@ -92,10 +103,11 @@ void run(PathOptions options, const CLI::App& verb) {
   options.certify = options.certify || certificate;
   options.chain.read();
   if (options.chain.other) {
-    if (svg || certificate || options.certify || options.digits > 0 || !options.force.empty() ||
-        options.to != 0.5)
+    if (svg || certificate || options.digits > 0 || !options.force.empty() || options.to != 0.5)
       throw Error(options.chain.path, "ends and loads of its own",
-                  "--factor, --branches, --side, --step, --csv and --json alone");
+                  "--factor, --branches, --side, --step, --certify, --csv and --json alone");
+    if (options.certify && !options.chain.structure)
+      throw Error(options.chain.path, "a chain in space", "--certify for one in the plane");
     return run_other(options, outputs, csv, json);
   }
   if (options.factor != 0)

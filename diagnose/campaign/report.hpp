@@ -9,7 +9,7 @@
 namespace plumbline::campaign {
 
 std::string as_text(const std::vector<Outcome>& outcomes, const Comparison& comparison);
-/// Format "gap-campaign/1": docs/report-format.md.
+/// Format "gap-campaign/1": docs/reference.md.
 nlohmann::ordered_json as_json(const std::vector<Outcome>& outcomes, const Comparison& comparison);
 /// The page: the answer, a table, each parameter over its experiments.
 std::string as_html(const std::vector<Outcome>& outcomes, const Comparison& comparison);

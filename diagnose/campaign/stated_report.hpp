@@ -11,7 +11,7 @@
 
 namespace plumbline::campaign {
 
-/// What is read of a report in the format "gap-diagnosis/2" (docs/report-format.md).
+/// What is read of a report in the format "gap-diagnosis/2" (docs/reference.md).
 struct StatedReport {
   struct Bounds {
     double low, high;

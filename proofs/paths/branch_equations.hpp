@@ -6,7 +6,7 @@
 #include <plumbline/branch/branch.hpp>
 #include <plumbline/loaded/nominal_model.hpp>
 
-#include "proofs/exact/span.hpp"
+#include "proofs/paths/tube_equations.hpp"
 
 namespace plumbline::proofs {
 
@@ -21,7 +21,7 @@ struct StiffnessChange {
 /// E(u) = 0 under a loading. Unknowns u are theta_1 … theta_n, then Fx and Fy where the end point is held,
 /// last the load. There is one equation fewer than unknowns: the solutions are curves. Evaluated at a box,
 /// every result encloses what it is at each point inside.
-class BranchEquations {
+class BranchEquations final : public TubeEquations {
  public:
   BranchEquations(const Chain<Interval>& chain, const Loading<Interval>& loading);
 
@@ -30,12 +30,10 @@ class BranchEquations {
   [[nodiscard]] Vector<Span> at(const BranchPoint<double>& point) const;
   [[nodiscard]] Span load(const Vector<Span>& u) const { return u(size_ - 1); }
 
-  /// E(u), and a zero for the plane.
-  [[nodiscard]] Vector<Span> value(const Vector<Span>& u);
-  /// E'(u), bordered by the normal of a plane as last row.
-  [[nodiscard]] Matrix<Span> derivative(const Vector<Span>& u, const Vector<Span>& normal);
-  /// E''(u) v w, and a zero for the plane.
-  [[nodiscard]] Vector<Span> second(const Vector<Span>& u, const Vector<Span>& v, const Vector<Span>& w);
+  [[nodiscard]] Vector<Span> value(const Vector<Span>& u) override;
+  [[nodiscard]] Matrix<Span> derivative(const Vector<Span>& u, const Vector<Span>& normal) override;
+  [[nodiscard]] Vector<Span> second(const Vector<Span>& u, const Vector<Span>& v,
+                                    const Vector<Span>& w) override;
   /// E'''(u) v v v, and a zero for the plane.
   [[nodiscard]] Vector<Span> third(const Vector<Span>& u, const Vector<Span>& v);
   /// How the tangent stiffness goes along a curve with the given first, second and third derivatives at u.

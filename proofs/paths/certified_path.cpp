@@ -21,10 +21,6 @@ Point<double> middle_of(const Point<Interval>& p) {
   return {as_double(p.x), as_double(p.y)};
 }
 
-int sign(const Span& x) {
-  return certainly_positive(x) ? 1 : certainly_negative(x) ? -1 : 0;
-}
-
 /// A tube and which way the load goes in it.
 struct Segment {
   Vector<Span> normal;

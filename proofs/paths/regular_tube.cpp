@@ -34,8 +34,8 @@ Eigen::MatrixXd defect(const Eigen::MatrixXd& Y, const Matrix<Span>& M) {
 /// \param margin  how much wider than its image a box is tried
 /// \param offset  z as a function of Y
 template <class Offset>
-std::optional<Tube> inflate(BranchEquations& equations, const Vector<Span>& centres,
-                            const Vector<Span>& normal, double margin, Offset offset) {
+std::optional<Tube> inflate(TubeEquations& equations, const Vector<Span>& centres, const Vector<Span>& normal,
+                            double margin, Offset offset) {
   Tube tube;
   tube.inverse = middle(equations.derivative(centres, normal)).inverse();
   if (!tube.inverse.allFinite()) return std::nullopt;
@@ -75,7 +75,7 @@ Vector<Span> widened(const Vector<Span>& centre, const Vector<double>& radius) {
                            [](const Span& x, const Span& r) { return hull(x - r, x + r); });
 }
 
-std::optional<Tube> tube_along(BranchEquations& equations, const Vector<Span>& a, const Vector<Span>& b,
+std::optional<Tube> tube_along(TubeEquations& equations, const Vector<Span>& a, const Vector<Span>& b,
                                const Vector<Span>& normal) {
   const Vector<Span> chord = hull(a, b), first = equations.value(a), last = equations.value(b);
   const Vector<Span> second = equations.second(chord, b - a, b - a);
@@ -87,7 +87,7 @@ std::optional<Tube> tube_along(BranchEquations& equations, const Vector<Span>& a
   });
 }
 
-std::optional<Tube> tube_at(BranchEquations& equations, const Vector<Span>& point,
+std::optional<Tube> tube_at(TubeEquations& equations, const Vector<Span>& point,
                             const Vector<Span>& normals) {
   const Vector<Span> value = equations.value(point);
   return inflate(equations, point, normals, 1.25, [&](const Eigen::MatrixXd& Y) -> Vector<double> {

@@ -27,13 +27,12 @@ struct Tube {
 
 /// The tube around the chord from a to b. Nothing where none is proved: the chord is too long, or there is no
 /// regular branch.
-std::optional<Tube> tube_along(BranchEquations& equations, const Vector<Span>& a, const Vector<Span>& b,
+std::optional<Tube> tube_along(TubeEquations& equations, const Vector<Span>& a, const Vector<Span>& b,
                                const Vector<Span>& normal);
 
 /// The box around a point: with every normal inside `normals`, one equilibrium lies in its plane through the
 /// point; all these are one piece of one curve.
-std::optional<Tube> tube_at(BranchEquations& equations, const Vector<Span>& point,
-                            const Vector<Span>& normals);
+std::optional<Tube> tube_at(TubeEquations& equations, const Vector<Span>& point, const Vector<Span>& normals);
 
 /// The solution of M x = y for every M in the tube, from an enclosure of Y y.
 Vector<Span> solve(const Tube& tube, const Vector<Span>& preconditioned);
@@ -44,6 +43,10 @@ std::array<Vector<Span>, 3> rates(BranchEquations& equations, const Tube& tube,
 /// The first alone.
 Vector<Span> tangent(const Tube& tube);
 
+/// 1 or -1, or 0 where it is open.
+inline int sign(const Span& x) {
+  return certainly_positive(x) ? 1 : certainly_negative(x) ? -1 : 0;
+}
 /// Y x
 Vector<Span> product(const Eigen::MatrixXd& Y, const Vector<Span>& x);
 /// Entry by entry.

@@ -69,7 +69,7 @@ def _pose(frame: Floats, prefix: str = "") -> dict[str, list[float]]:
 
 
 def read_arm(model: Model, *, base: str = "", tip: str = "") -> Arm:
-    """The serial arm in space of a simulator's model, as `plumbline arm` reads it (docs/arm-models.md). No simulator is
+    """The serial arm in space of a simulator's model, as `plumbline arm` reads it (docs/models.md). No simulator is
     needed; an MJCF whose elements stand for several bodies is written out by the package `mujoco` first, where that is
     installed.
 

@@ -50,7 +50,7 @@ def run(*words: str | PathLike, allowed: Sequence[int] = (0, 1)) -> str:
 def verify(paper: PathLike | None = None, *, section: str | None = None, claim: str | None = None, precision: int | None = None) -> pandas.DataFrame:
     """Every claim of the paper, judged: a row each, as `plumbline verify --json` has it.
 
-    :param paper: another paper, by the folder that states its claims (docs/papers.md)
+    :param paper: another paper, by the folder that states its claims (verify/papers/README.md)
     """
     import pandas
     words = ["verify", *([] if paper is None else [os.fspath(paper)]), "--json"]

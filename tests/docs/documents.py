@@ -8,7 +8,7 @@ SCHEMAS = ROOT / "docs" / "schemas"
 
 
 def documents():
-    return [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
+    return [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md")), ROOT / "verify" / "papers" / "README.md"]
 
 
 def texts():
@@ -45,6 +45,12 @@ def blocks(path):
             start = None
     assert start is None, f"{path}: the block of line {start} has no end"
     return found
+
+
+def anchors(path):
+    """The addresses of the headings of a page, as GitHub names them."""
+    text = re.sub(r"^```.*?^```", "", path.read_text(encoding="utf-8"), flags=re.M | re.S)
+    return {re.sub(r"[^\w\- ]", "", heading.lower()).strip().replace(" ", "-") for heading in re.findall(r"^#+ (.*)$", text, re.M)}
 
 
 def tables(path):

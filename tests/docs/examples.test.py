@@ -17,7 +17,7 @@ from pathlib import Path
 
 from jsonschema import Draft202012Validator
 
-from documents import ROOT, SCHEMAS, blocks, documents, texts
+from documents import ROOT, SCHEMAS, anchors, blocks, documents, texts
 
 SETUP = re.compile(r"(\./setup\.sh|cmake) .*")
 
@@ -94,9 +94,14 @@ def visit(path, folder):
 
 def broken_links(path):
     text = re.sub(r"^```.*?^```", "", path.read_text(encoding="utf-8"), flags=re.M | re.S)
-    for target in re.findall(r"\]\(([^)#]+)(?:#[^)]*)?\)", text):
-        if "://" not in target and not (path.parent / target).exists():
+    for target, heading in re.findall(r"\]\(([^)#]*)(?:#([^)]*))?\)", text):
+        page = path.parent / target if target else path
+        if "://" in target:
+            continue
+        if not page.exists():
             yield f"{path.relative_to(ROOT)}: a link to {target}, which is not there"
+        elif heading and page.suffix == ".md" and heading not in anchors(page):
+            yield f"{path.relative_to(ROOT)}: a link to {target}#{heading}, a heading that is not there"
 
 
 def unknown_presets(path):

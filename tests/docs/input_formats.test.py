@@ -1,4 +1,4 @@
-"""The keys of the input formats: those that the program reads are those that the documents name, and the schemas.
+"""The keys of the input formats: those that the program reads are those of the schemas, of which docs/reference.py makes a page.
 
 usage: input_formats.test.py PLUMBLINE
 
@@ -98,20 +98,19 @@ def experiments(folder):
     Draft202012Validator(schema).validate(EXPERIMENT)
     assert "from the base" in experiment_fault(folder, EXPERIMENT)
     for heading in TABLES:
-        named, required = documented(EXPERIMENTS, heading)
-        fault = experiment_fault(folder, changed(heading, lambda table: table.update(zz=1)))
-        known = re.search(r"an unknown key, expected one of (.*)", fault)
-        assert known and set(known[1].split()) == named, f"{heading}: the document names {named}; {fault}"
-        for key in named:
-            without = changed(heading, lambda table, key=key: table.pop(key, None))
-            assert ("no such key" in experiment_fault(folder, without)) == (key in required), f"{heading} {key}"
-            assert Draft202012Validator(schema).is_valid(without) == (key not in required), f"schema, {heading} {key}"
         node = {"Top level": schema, **{f"[{name}]": schema["$defs"][name] for name in ("csv", "columns")},
                 "[[run]]": schema["$defs"]["run"],
                 "[[load]]": schema["$defs"]["load"], "[[nominal.effect]]": schema["$defs"]["effect"],
                 "[[nominal.torque_law]]": schema["$defs"]["torque_law"]}.get(heading)
         node = node or schema["properties"][heading.strip("[]")]
-        assert set(node["properties"]) == named and set(node.get("required", [])) == required, heading
+        named, required = set(node["properties"]), set(node.get("required", []))
+        fault = experiment_fault(folder, changed(heading, lambda table: table.update(zz=1)))
+        known = re.search(r"an unknown key, expected one of (.*)", fault)
+        assert known and set(known[1].split()) == named, f"{heading}: the schema names {named}; {fault}"
+        for key in named:
+            without = changed(heading, lambda table, key=key: table.pop(key, None))
+            assert ("no such key" in experiment_fault(folder, without)) == (key in required), f"{heading} {key}"
+            assert Draft202012Validator(schema).is_valid(without) == (key not in required), f"schema, {heading} {key}"
     column_keys(folder, schema)
     units(folder)
     columns, required = documented(EXPERIMENTS, "Sample files")
@@ -124,19 +123,18 @@ def experiments(folder):
 
 def column_keys(folder, schema):
     """The keys of a column, of q and of the others."""
-    named = set(keys(tables(EXPERIMENTS)["[columns]"][1]))
     read, shown = set(), set()
     for channel in ("x", "q"):
         fault = experiment_fault(folder, changed("[columns]", lambda table, at=channel: table.update({at: {"zz": 1}})))
         read |= set(re.search(r"an unknown key, expected one of (.*)", fault)[1].split())
     for node in (schema["$defs"]["column"], schema["$defs"]["angles"]):
         shown |= set(node["anyOf"][1]["properties"])
-    assert read == named == shown, (read, named, shown)
+    assert read == shown, (read, shown)
 
 
 def units(folder):
     """Every symbol of the document is one that the program reads."""
-    for kind, symbols in tables(EXPERIMENTS)["[units]"][1][1:]:
+    for kind, symbols in tables(EXPERIMENTS)["Units"][0][1:]:
         key, suffix = UNITS[kind]
         for symbol in re.findall(r"`([^`]+)`", symbols):
             unit = f"m/{symbol}^2" if kind == "time" else symbol + suffix
@@ -192,25 +190,18 @@ def tables_of_chains(folder):
     assert columns == set("chain,mode,force".split(","))
 
 
-def labels():
-    schema = schema_of("label")
-    effect = schema["properties"]["effects"]["items"]
-    for node, number in ((schema, 0), (effect, 1)):
-        named, required = documented(EXPERIMENTS, "Labels", number)
-        assert set(node["properties"]) == named and set(node["required"]) == required, named
-
-
 def user_effects(folder):
     """The three tables of a file of effects, each changed in every key."""
-    validator = Draft202012Validator(schema_of("user-effects"))
+    schema = schema_of("user-effects")
+    validator = Draft202012Validator(schema)
     parameter = {"unit": "N m", "scale": 1, "low": -1, "high": 1}
     effect = {"id": "mine", "words": "mine", "where": "every joint", "torque": "a * d", "parameters": {"a": parameter}}
-    tables_of = {"Top level of the file": lambda file: file, "[[effect]]": lambda file: file["effect"][0],
-                 "[effect.parameters.NAME]": lambda file: file["effect"][0]["parameters"]["a"]}
+    tables_of = {"Top level": (schema, lambda file: file), "[[effect]]": (schema["$defs"]["effect"], lambda file: file["effect"][0]),
+                 "[effect.parameters.NAME]": (schema["$defs"]["parameter"], lambda file: file["effect"][0]["parameters"]["a"])}
 
     def changed_file(heading, change):
         file = json.loads(json.dumps({"format": "user-effects/1", "effect": [effect]}))
-        change(tables_of[heading](file))
+        change(tables_of[heading][1](file))
         return file
 
     def fault(file):
@@ -223,10 +214,10 @@ def user_effects(folder):
         (folder / "effects.toml").write_text("".join(lines), encoding="utf-8")
         return complaint("diagnose", str(ROOT / "docs/examples" / "cogging"), "--effects", "effects.toml", folder=folder)
 
-    for heading in tables_of:
-        named, required = documented(USER_EFFECTS, heading)
+    for heading, (node, _) in tables_of.items():
+        named, required = set(node["properties"]), set(node["required"])
         known = re.search(r"expected one of (.*)", fault(changed_file(heading, lambda table: table.update(zz=1))))
-        assert known and set(known[1].split()) == named, f"{heading}: the document names {named}; {known}"
+        assert known and set(known[1].split()) == named, f"{heading}: the schema names {named}; {known}"
         for key in required:
             without = changed_file(heading, lambda table, key=key: table.pop(key, None))
             assert f"{key}: found no" in fault(without), f"{heading} {key}: {fault(without)}"
@@ -242,4 +233,3 @@ with tempfile.TemporaryDirectory() as place:
     chains(Path(place))
     tables_of_chains(Path(place))
 repository_experiments()
-labels()

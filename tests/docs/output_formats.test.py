@@ -1,5 +1,4 @@
-"""The JSON that the program writes: it follows the schemas, and has every property that they name; the report's
-properties are the ones that its document explains.
+"""The JSON that the program writes: it follows the schemas, and has every property that they name.
 
 usage: output_formats.test.py PLUMBLINE
 """
@@ -13,7 +12,7 @@ from jsonschema import Draft202012Validator
 
 import two_links
 from coverage import properties, used
-from documents import ROOT, SCHEMAS, keys, tables
+from documents import ROOT, SCHEMAS
 from program import plumbline
 
 # Properties that no command below has reason to write: a certificate that fails.
@@ -195,29 +194,6 @@ def many(folder):
     (folder / "broken").mkdir()
     hold("gap-campaign", [written("diagnose", "day-1", "day-2", "day-3", folder=folder),
                           written("diagnose", "day-1", "one-spring", "broken", folder=folder, statuses=[1])])
-    schema = schema_of("gap-campaign")
-    places = {"Top level": schema, "experiments": schema["$defs"]["experiment"],
-              "causes": schema["properties"]["causes"]["items"], "parameters": schema["$defs"]["parameter"]}
-    found = tables(ROOT / "docs" / "many-experiments.md")
-    for heading, node in places.items():
-        assert set(keys(found[heading][0])) == set(node["properties"]), heading
-
-
-def documented(document, name):
-    """Every table of keys against the object of the schema that its heading names."""
-    schema = schema_of(name)
-
-    def resolved(node):
-        node = schema["$defs"][node["$ref"].rsplit("/", 1)[1]] if "$ref" in node else node
-        node = node["oneOf"][-1] if "oneOf" in node else node
-        return node["items"] if node.get("type") == "array" else node
-
-    for heading, found in tables(ROOT / "docs" / document).items():
-        node = schema
-        for key in [] if heading == "Top level" else heading.split("."):
-            node = resolved(node["properties"][key])
-        assert set(keys(found[0])) == set(node["properties"]), heading
-    return schema
 
 
 def plans(folder):
@@ -225,19 +201,6 @@ def plans(folder):
     hold("experiment-plan", [written("diagnose", "planned", "--plan", folder=folder)])
 
 
-def report_document():
-    schema = documented("report-format.md", "gap-diagnosis")
-    verdicts = [key for key in keys(tables(ROOT / "docs" / "report-format.md")["cause"][1])]
-    assert verdicts == schema["properties"]["cause"]["properties"]["verdict"]["enum"]
-    regimes = schema["properties"]["where"]["properties"]["load_path"]["items"]["properties"]["regime"]["enum"]
-    evidence = schema["properties"]["where"]["properties"]["joint_evidence"]["enum"]
-    text = (ROOT / "docs" / "report-format.md").read_text(encoding="utf-8")
-    for word in regimes + evidence:
-        assert f"`{word}`" in text, word
-
-
-report_document()
-documented("plan.md", "experiment-plan")
 with tempfile.TemporaryDirectory() as place:
     for step in (straight_chains, claims, loaded_chains, reports, plans, trial, many):
         (Path(place) / step.__name__).mkdir()

@@ -47,7 +47,8 @@ void give_checks(std::vector<Claim>& claims, std::map<std::string, Check>& funct
       continue;
     }
     const auto check = functions.extract(claim.id);
-    if (check.empty()) throw Error("claim " + claim.id, "no check", "one that it states (docs/papers.md)");
+    if (check.empty())
+      throw Error("claim " + claim.id, "no check", "one that it states (verify/papers/README.md)");
     claim.check = check.mapped();
     claim.source = line_of(claim.id);
   }

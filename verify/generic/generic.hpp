@@ -3,8 +3,8 @@
 /// Checks that a paper's folder names: what papers on chains state, judged without a function of their own.
 ///
 /// `check = { is = "formula", … }` in a claim; `chain` is the id of a premise among its `given`.
-/// docs/papers.md has every kind with its parameters. A kind is a function of the parameters, the print and
-/// the premises, in the file of its name.
+/// verify/papers/README.md has every kind with its parameters. A kind is a function of the parameters, the
+/// print and the premises, in the file of its name.
 
 #include "verify/judging/claim.hpp"
 

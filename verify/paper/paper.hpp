@@ -11,7 +11,7 @@
 /// its premises; its `check`, one of verify/generic by name, or nothing where the program has a function of
 /// its own. `charity` is "charitable" where the words allow several readings and the most favourable one was
 /// taken; `subject` is "formula", "number" or "name" where it is no statement; claims that are wrong for one
-/// reason name the erratum as their `cause`. docs/papers.md describes all of it.
+/// reason name the erratum as their `cause`. verify/papers/README.md describes all of it.
 
 #include <string>
 #include <utility>

@@ -107,7 +107,7 @@ TEST_CASE("a force over a travel is a joint that slides") {
 
 TEST_CASE("weights on a lever: the lever is asked for, and may be told") {
   const DraftModel flexure = nominal_model("joint = \"revolute\"\njoint_stiffness = [2.2]\n");
-  const DraftFile weights = of_document("flexures.md", "flexure/weights.csv");
+  const DraftFile weights = of_document("joint-loop.md", "flexure/weights.csv");
   const Draft asked = draft_experiment("flexure", flexure, {weights});
   CHECK(asked.question.find("lever") != std::string::npos);
   CHECK(asked.question.find("--columns") != std::string::npos);

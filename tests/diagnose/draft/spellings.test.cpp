@@ -10,8 +10,8 @@
 #include "diagnose/bench/read_experiment.hpp"
 #include "diagnose/draft/draft.hpp"
 
-// One table (docs/first-bench.md: two links with dry friction), written as laboratories write: the readings
-// that come out are those that were taken, without a word by a person.
+// One table (docs/experiment-format.md: two links with dry friction), written as laboratories write: the
+// readings that come out are those that were taken, without a word by a person.
 namespace plumbline::diagnose {
 namespace {
 

@@ -1,5 +1,5 @@
 /// \file
-/// The tables of docs/corrected-models.md. Measured anew by
+/// The tables of benchmarks/RESULTS-exchange.md. Measured anew by
 ///   build/tests/test-exchange --no-skip --minimal -tc="the tables measured anew"
 #include <doctest/doctest.h>
 #include <fmt/core.h>
@@ -45,7 +45,7 @@ std::string ways() {
 
 TEST_CASE("the document says what each format carries") {
   std::ostringstream text;
-  text << std::ifstream(PLUMBLINE_SOURCE_DIR "/docs/corrected-models.md").rdbuf();
+  text << std::ifstream(PLUMBLINE_SOURCE_DIR "/benchmarks/RESULTS-exchange.md").rdbuf();
   CHECK(text.str().find(ways()) != std::string::npos);
 }
 

@@ -1,5 +1,5 @@
-/// docs/effects.md against the catalogue in code, both ways: ids, words, parameters, units, ranges, and what
-/// is equivalent to what.
+/// docs/effects.md and diagnose/rig/effects/README.md against the catalogue in code, both ways: ids, words,
+/// parameters, units, ranges, and what is equivalent to what.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -41,7 +41,8 @@ Document read_document() {
       R"(\| (`\w+(\(j\))?`(, [\w ]+)?)? \| `(\w+)` \| ([^|]*) \| ([^|]*) \| ([^|]*) \|)");
   static const std::regex pair(R"(\| `(\w+)` \| `(\w+)` \| [^|]* \|)");
   Document document;
-  std::istringstream lines(read_text(PLUMBLINE_SOURCE_DIR "/docs/effects.md"));
+  std::istringstream lines(read_text(PLUMBLINE_SOURCE_DIR "/docs/effects.md") +
+                           read_text(PLUMBLINE_SOURCE_DIR "/diagnose/rig/effects/README.md"));
   std::smatch found;
   std::size_t of = 0;  // the effect of a parameter, from 1: an empty first cell continues the one above
   for (std::string line; std::getline(lines, line);) {

@@ -1,4 +1,4 @@
-"""Writes docs/equations.md: where the paper's equations are in the sources, and which claims judge them.
+"""Writes equations.md: where the paper's equations are in the sources, and which claims judge them.
 
 usage: equations.py PLUMBLINE [--check]
 
@@ -12,8 +12,8 @@ import sys
 from collections import defaultdict
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[1]
-TARGET = ROOT / "docs" / "equations.md"
+ROOT = Path(__file__).resolve().parents[2]
+TARGET = Path(__file__).with_name("equations.md")
 HEAD = """# Equations
 
 Where each numbered equation of the paper is in the library, and the claims that judge it: those about the equation, and
@@ -78,7 +78,7 @@ def table():
     library, (about, around) = sources(), claims()
     last = max([*library, *about, *around])
     for number in range(1, last + 1):
-        headers = [f"[{header.name}](../{header.as_posix()})" + "".join(f" `{name}`" for name in names)
+        headers = [f"[{header.name}](../../{header.as_posix()})" + "".join(f" `{name}`" for name in names)
                    for header, names in library[number].items()]
         cells = [f"({number})", "<br>".join(headers), ", ".join(about[number]), ", ".join(around[number])]
         yield "| " + " | ".join(cells) + " |\n"

@@ -1,0 +1,118 @@
+"""Writes docs/reference.md: every key of the formats, out of the schemas, whose `description` is what a key means.
+
+usage: reference.py [--check]
+
+--check compares with the file instead of writing it. What the program reads and writes is held against the schemas by
+tests/docs/input_formats.test.py and output_formats.test.py.
+"""
+import json
+import sys
+import textwrap
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+TARGET = HERE / "reference.md"
+HEAD = """# Reference: keys of the formats
+
+Written by `docs/reference.py` out of the [schemas](schemas), which editors show at a key. SI units and radians; joints, links, tables count from 1,
+readings of a run from 0. An effect is written `id`, or `id(j)` where it acts at joint or link j; ids and their parameters are those of the
+[catalogue](effects.md). Symbols of units, the columns of sample files and what is refused stand under [experiments](experiment-format.md).
+"""
+# (schema, heading, what it is, whether its tables have headings of their own)
+FORMATS = [
+    ("experiment", "experiment.toml", "A folder with one is an [experiment](experiment-format.md). Keys in **bold** are required.", True),
+    ("arm-experiment", "experiment.toml of an arm", "That of an [arm in space](arms.md).", False),
+    ("user-effects", "Effects of your own", "The file of `--effects` ([how](user-effects.md)).", False),
+    ("label", "label.json", "The known cause of an experiment, read by `plumbline trial` alone.", False),
+    ("gap-diagnosis", "The report", "What `plumbline diagnose FOLDER --json` writes; the page of `--html` carries the same places (`data-key`).", True),
+    ("gap-campaign", "The report of many", "What `plumbline diagnose FOLDER FOLDER … --json` writes ([how](many-experiments.md)).", False),
+    ("experiment-plan", "The plan", "What `plumbline diagnose FOLDER --plan --json` writes ([how](plan.md)).", False),
+]
+# These say all their keys but for those that are said to be absent.
+REPORTS = ("gap-diagnosis", "gap-campaign", "experiment-plan")
+
+
+class Schema:
+    def __init__(self, name):
+        text = (HERE / "schemas" / f"{name}.schema.json").read_text(encoding="utf-8")
+        self.root = json.loads(text)
+        self.definitions = self.root.get("$defs", {})
+        self.uses = {one: text.count(f'"#/$defs/{one}"') for one in self.definitions}
+
+    def resolved(self, node, whatever=False):
+        """The node that a reference, a list or a choice stands for; a definition of several uses has an entry of its own, or none."""
+        while True:
+            if "$ref" in node:
+                name = node["$ref"].rsplit("/", 1)[1]
+                if self.uses[name] > 1 and not whatever:
+                    return {}
+                node = self.definitions[name]
+            elif choices := node.get("oneOf", node.get("anyOf")) if "properties" not in node else None:
+                node = choices[-1]
+            elif node.get("type") == "array" and "items" in node and node["items"]:
+                node = node["items"]
+            elif "properties" not in node and isinstance(node.get("additionalProperties"), dict):
+                node = node["additionalProperties"]
+            else:
+                return node
+
+    def members(self, node, whatever=False):
+        return self.resolved(node, whatever).get("properties", {})
+
+    def words(self, node):
+        """What a key means, and its values where that does not name them."""
+        said = node.get("description", "")
+        values = [f'`"{value}"`' for value in [*node.get("enum", []), node.get("const")] if isinstance(value, str)]
+        if all(value.strip('`"') in said for value in values):
+            values = []
+        return ", ".join(filter(None, [said, *values]))
+
+    def keys(self, node, said):
+        """The keys of a key's own table; none that its meaning names already, but for values to choose from."""
+        inner = self.members(node)
+        named = all(f"`{key}`" in said for key in inner)
+        return {key: one for key, one in inner.items() if not named or any(isinstance(value, str) for value in one.get("enum", []))}
+
+
+def entries(schema, members, required, depth=0):
+    """A line for each key, and below it those of its own table; keys of one meaning share a line."""
+    names = {}
+    for key, node in members.items():
+        words = "as in the report" if key == "provenance" and "description" not in node else schema.words(node)
+        inner = "".join(entries(schema, schema.keys(node, words), (), depth + 1))
+        names.setdefault((words, inner), []).append(f"**`{key}`**" if key in required else f"`{key}`")
+    for (words, inner), keys in names.items():
+        yield textwrap.fill("- " + ", ".join(keys) + (f": {words}" if words else ""), 150, initial_indent="  " * depth,
+                            subsequent_indent="  " * (depth + 1), break_long_words=False, break_on_hyphens=False) + "\n" + inner
+
+
+def sentence(words):
+    return words and f"{words[0].upper()}{words[1:]}{'' if words[-1] in '.?' else '.'}\n\n"
+
+
+def section(name, heading, said, divided):
+    schema = Schema(name)
+    toml = name.endswith("experiment")
+
+    def listed(node, whatever=False):
+        required = schema.resolved(node, whatever).get("required", []) if name not in REPORTS else ()
+        return "".join(entries(schema, {key: one for key, one in schema.members(node, whatever).items() if node is not schema.root or key not in tables},
+                               required))
+
+    tables = [key for key, node in schema.members(schema.root).items() if divided and schema.members(node, whatever=True)]
+    text = f"\n## {heading}\n\n{said}\n[schemas/{name}.schema.json](schemas/{name}.schema.json)\n\n" + listed(schema.root)
+    for key in tables:
+        node = schema.members(schema.root)[key]
+        title = key if not toml else f"[[{key}]]" if node.get("type") == "array" else f"[{key}]"
+        text += f"\n### {title}\n\n" + sentence(node.get("description", "")) + listed(node, whatever=True)
+    for one in (schema.definitions.values() if divided else ()):
+        if "title" in one:
+            text += f"\n### {one['title']}\n\n{one['description']}\n\n" + listed(one)
+    return text
+
+
+text = HEAD + "".join(section(*one) for one in FORMATS)
+if "--check" not in sys.argv:
+    TARGET.write_text(text, encoding="utf-8")
+elif TARGET.read_text(encoding="utf-8") != text:
+    sys.exit(f"{TARGET}: not what the schemas say; docs/reference.py writes it")
