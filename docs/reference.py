@@ -16,7 +16,7 @@ HEAD = """# Reference: keys of the formats
 
 Written by `docs/reference.py` out of the [schemas](schemas), which editors show at a key. SI units and radians; joints, links, tables count from 1,
 readings of a run from 0. An effect is written `id`, or `id(j)` where it acts at joint or link j; ids and their parameters are those of the
-[catalogue](effects.md). Symbols of units, the columns of sample files and what is refused stand under [experiments](experiment-format.md).
+[catalogue](effects.md). Keys may be added; those below keep their meaning. Symbols of units, the columns of sample files and what is refused stand under [experiments](experiment-format.md).
 """
 # (schema, heading, what it is, whether its tables have headings of their own)
 FORMATS = [

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
 /// Typical sizes and bounds of the parameters of effects, in one table: by the kind of their quantity, in
-/// units of the device itself. They are the prior of every effect; docs/how-it-decides.md shows the table.
+/// units of the device itself. They are the prior of every effect; effects/README.md shows the table.
 
 #include <functional>
 #include <string_view>
@@ -75,7 +75,7 @@ struct TypicalSize {
   ParameterKind kind;
   std::string_view words;  ///< for the document
   std::string_view unit;   ///< of the parameter
-  std::string_view size;   ///< `own`, in the symbols of docs/effects.md
+  std::string_view size;   ///< `own`, in the symbols of effects/README.md
   double typical, low, high;
   double (*own)(const Place& at);
   Coordinate coordinate = Coordinate::plain;

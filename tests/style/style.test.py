@@ -104,7 +104,7 @@ def sentences(document):
             line = ""
         if fenced or not line.strip() or re.match(r" {4}(?![-*])|\s*(\||#|>|<|!\[|[-*] |\d+\. )", line):
             if paragraph:
-                yield from ((first, s) for s in re.split(r"(?<=[.!?:;])\s+(?=[A-Z`*\[(])", " ".join(paragraph)))
+                yield from ((first, s) for s in re.split(r"(?<=[.!?:;])\s+(?=[A-Z`*\[(])", " ".join(paragraph).replace("**", "")))
             item = re.match(r"\s*(?:[-*]|\d+\.) (.+)", line)
             paragraph, first = ([item.group(1)] if item and not fenced else []), number
             continue
@@ -115,7 +115,7 @@ def sentences(document):
 
 def prose(source):
     pages = [name for name in files(source, ("docs",), (".md",)) if name not in WRITTEN]
-    for name in ["README.md", "verify/papers/README.md", *pages]:
+    for name in ["README.md", "verify/papers/README.md", "diagnose/rig/effects/README.md", *pages]:
         for line, sentence in sentences(text(source, name)):
             words = re.sub(r"\]\([^)]*\)|`[^`]*`", "x", sentence).split()
             if NO_SUBJECT.match(sentence) and not sentence.endswith("?"):
@@ -129,6 +129,7 @@ def planted():
     pages = {"core/long.cpp": "int a();\n" * LINES, "core/up.hpp": '#include "app/verb.hpp"\n',
              "core/wide.hpp": "/// " + "word " * 30 + "\n", "diagnose/change/fine.hpp": '#include "diagnose/rig/rig.hpp"\n',
              "README.md": "# A title\n\nWhat is it? Where it leads is not said.\n\n| What | a table |\n",
+             "diagnose/rig/effects/README.md": "**A bold word.** Of these none is said.\n",
              "verify/papers/README.md": "word " * (WORDS + 1) + "end.\n", "docs/page.md": "```sh\nWhat a line.\n```\n",
              "tests/style/long-files.md": "| `core/gone.cpp` | 500 | none |\n"}
     with tempfile.TemporaryDirectory() as folder:
@@ -138,7 +139,7 @@ def planted():
             place.write_text(content, encoding="utf-8")
         found = {check.__name__: [line.split(":")[0] for line in check(folder)] for check in (wide, long_files, upward, prose)}
     assert found == {"wide": ["core/wide.hpp"], "long_files": ["core/long.cpp", "tests/style/long-files.md"], "upward": ["core/up.hpp"],
-                     "prose": ["README.md", "verify/papers/README.md"]}, found
+                     "prose": ["README.md", "verify/papers/README.md", "diagnose/rig/effects/README.md"]}, found
 
 
 def main():

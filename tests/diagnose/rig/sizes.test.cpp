@@ -25,7 +25,7 @@ struct Documented {
 std::vector<Documented> documented_sizes() {
   static const std::regex row(R"(\| ([^|]*) \| ([^|]*) \| ([^|]*) \| ?([^|]*) \| ([^|]*) \| ([^|]*) \|)");
   std::vector<Documented> rows;
-  std::istringstream lines(files::read_text(PLUMBLINE_SOURCE_DIR "/docs/how-it-decides.md"));
+  std::istringstream lines(files::read_text(PLUMBLINE_SOURCE_DIR "/diagnose/rig/effects/README.md"));
   std::smatch found;
   bool inside = false;
   for (std::string line; std::getline(lines, line);) {
