@@ -8,9 +8,9 @@
 #include <plumbline/base/error.hpp>
 
 #include "app/complaints.hpp"
-#include "app/experiment_input.hpp"
 #include "app/progress.hpp"
 #include "app/verbs.hpp"
+#include "diagnose/api/study_files.hpp"
 #include "diagnose/screening/anomalies.hpp"
 #include "diagnose/screening/conventions.hpp"
 
@@ -134,11 +134,11 @@ struct Seen {
   std::string question;  ///< empty where nothing is to be asked
 };
 
-Seen looked_at(const ExperimentInput& input) {
+Seen looked_at(const diagnose::StudyFiles& input) {
   const Progress progress("experiment", 0);
   Seen seen{experiment_of(input), {}, ""};
   seen.odd = diagnose::anomalies(seen.experiment);
-  const diagnose::Study study = study_of(input, seen.experiment);
+  const diagnose::Study study = study_of(seen.experiment, input.effects);
   try {
     diagnose::require_conventions(study);
   } catch (const Error& question) {
@@ -147,7 +147,7 @@ Seen looked_at(const ExperimentInput& input) {
   return seen;
 }
 
-void run(const ExperimentInput& input) {
+void run(const diagnose::StudyFiles& input) {
   const Seen seen = looked_at(input);
   fmt::print("{}\n", what_was_read(seen.experiment));
   if (!seen.odd.empty()) fmt::print("Odd\n  {}\n\n", fmt::join(seen.odd, "\n  "));
@@ -164,7 +164,7 @@ void add_check_experiment(CLI::App& app) {
   CLI::App* verb = app.add_subcommand(
       "check-experiment",
       "What is read from an experiment, in which units, with anomalies; nothing is fitted");
-  const auto input = std::make_shared<ExperimentInput>();
+  const auto input = std::make_shared<diagnose::StudyFiles>();
   verb->add_option("experiment", input->folder, "A folder with experiment.toml and its sample files")
       ->type_name("FOLDER")
       ->required();

@@ -1,8 +1,6 @@
 #include <fmt/core.h>
 
-#include <filesystem>
 #include <memory>
-#include <optional>
 #include <plumbline/base/error.hpp>
 #include <vector>
 
@@ -11,17 +9,13 @@
 #include "app/diagnose_change.hpp"
 #include "app/diagnose_many.hpp"
 #include "app/diagnose_motion.hpp"
-#include "app/experiment_input.hpp"
 #include "app/outputs.hpp"
 #include "app/progress.hpp"
 #include "app/verbs.hpp"
-#include "diagnose/calibration/calibration_text.hpp"
+#include "diagnose/api/report.hpp"
+#include "diagnose/api/study_files.hpp"
 #include "diagnose/report/plan.hpp"
-#include "diagnose/report/report.hpp"
-#include "diagnose/screening/conventions.hpp"
 #include "support/files/experiment_files.hpp"
-#include "support/files/text_file.hpp"
-#include "support/files/toml_file.hpp"
 
 namespace plumbline::app {
 namespace {
@@ -31,18 +25,18 @@ struct DiagnoseOptions {
   std::string effects, model, corrected, json, html, reports, against;
   bool next = false, as_is = false, plan = false, check = false;
 
-  [[nodiscard]] ExperimentInput input() const {
+  [[nodiscard]] diagnose::StudyFiles input() const {
     return {experiments.empty() ? "" : experiments.front(), model, effects};
   }
 };
 
 void run_plan(const DiagnoseOptions& options, const CLI::App& verb) {
   if (options.experiments.size() > 1) throw Error("--plan", "several experiments", "one bench");
-  const ExperimentInput input = options.input();
+  const diagnose::StudyFiles input = options.input();
   const diagnose::Experiment read = bench_of(input);
-  Outputs outputs(verb, input.files());
+  Outputs outputs(verb, input.all());
   files::OutputFile* const json = outputs.open("--json", options.json);
-  const diagnose::Experiment bench = study_of(input, read).experiment();
+  const diagnose::Experiment bench = study_of(read, input.effects).experiment();
   const diagnose::Plan plan =
       with_progress("plan", [&](const auto& show) { return diagnose::plan(bench, show); });
   if (json) json->write(page::json_text(as_json(plan), outputs.provenance()));
@@ -75,55 +69,27 @@ const char* nothing_next(const diagnose::Diagnosis& diagnosis) {
   return "What next?  No feasible run distinguishes the explanations\n";
 }
 
-/// Whether nothing is known of where the tracker stands, and where its points sit on the arm.
-bool has_unknown_frames(const ExperimentInput& input) {
-  if (input.folder.empty()) return false;
-  const std::string settings = (std::filesystem::path(input.folder) / "experiment.toml").string();
-  const toml::table table = files::parse_toml(files::read_text(settings), settings);
-  return table["arm"]["frames"].value<std::string>() == "unknown";
-}
-
-/// The models with what was found; of a calibrated arm with its calibration too, whether a cause is named or
-/// not.
-std::vector<exchange::Corrected> corrected_by(const diagnose::Study& study,
-                                              const diagnose::Diagnosis& diagnosis,
-                                              const std::optional<diagnose::Calibration>& calibration,
-                                              const std::filesystem::path& source) {
-  if (!calibration) return exchange::corrected_models(study, diagnosis, source);
-  const bool named = diagnosis.cause.is_explained();
-  std::vector<exchange::Corrected> models =
-      exchange::corrected_models(named ? study : study.of(calibration->with_all()), diagnosis, source);
-  for (exchange::Corrected& one : models)
-    one.model.title += " The nominal model is the calibrated one: every joint is corrected.";
-  return models;
-}
-
 void run_diagnosis(const DiagnoseOptions& options, const CLI::App& verb) {
-  const ExperimentInput input = options.input();
+  const diagnose::StudyFiles input = options.input();
   const diagnose::Experiment experiment = experiment_of(input);
-  Outputs outputs(verb, input.files());
+  Outputs outputs(verb, input.all());
   files::OutputFile *const json = outputs.open("--json", options.json), *const html = outputs.open(
                                                                             "--html", options.html);
   CorrectedFiles corrected(outputs, options.corrected);
-  const diagnose::Study read = study_of(input, experiment);
-  const std::optional<diagnose::Calibration> calibration =
-      has_unknown_frames(input) ? diagnose::calibrated(read) : std::nullopt;
-  if (!options.as_is && !calibration) require_conventions(read);
-  const diagnose::Study study = calibration ? read.of(calibration->experiment) : read;
-  const diagnose::Diagnosis diagnosis = with_progress(
-      "diagnosis", [&](const auto& show) { return diagnose::diagnose(study, show, options.next); });
-  if (corrected.wanted()) corrected.write(corrected_by(study, diagnosis, calibration, model_file(input)));
-  nlohmann::ordered_json report = as_json(diagnosis);
-  if (calibration) report["calibration"] = calibration_as_json(*calibration);
-  if (corrected.wanted()) report["corrected"] = corrected.as_json();
+  const diagnose::Report report = with_progress("diagnosis", [&](const auto& show) {
+    return diagnose::Report(study_of(experiment, input.effects), {options.as_is, options.next, show});
+  });
+  if (corrected.wanted()) corrected.write(report.corrected(input.nominal_model()));
+  nlohmann::ordered_json all = report.json();
+  if (corrected.wanted()) all["corrected"] = corrected.as_json();
   const page::Provenance& from = outputs.provenance();
-  if (json) json->write(page::json_text(std::move(report), from));
-  if (html) html->write(page::on_page(diagnose::as_html(study, diagnosis), from));
+  if (json) json->write(page::json_text(std::move(all), from));
+  if (html) html->write(page::on_page(report.html(), from));
   outputs.commit();
   if (options.json == "-" || options.html == "-") return;
-  fmt::print("{}{}{}", as_text(diagnosis), calibration ? "\n" + calibration_as_text(*calibration) : "",
-             corrected.as_text());
-  if (options.next && diagnosis.proposals.empty()) fmt::print("\n{}", nothing_next(diagnosis));
+  fmt::print("{}{}", report.text(), corrected.as_text());
+  if (options.next && report.diagnosis().proposals.empty())
+    fmt::print("\n{}", nothing_next(report.diagnosis()));
 }
 
 void run_motion(const DiagnoseOptions& options, const CLI::App& verb) {

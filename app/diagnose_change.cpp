@@ -10,15 +10,16 @@
 namespace plumbline::app {
 
 void diagnose_change(const ChangeOptions& options, const CLI::App& verb) {
-  const ExperimentInput before{options.before, options.after.model, options.after.effects};
+  const diagnose::StudyFiles before{options.before, options.after.model, options.after.effects};
   const diagnose::Experiment first = experiment_of(before), second = experiment_of(options.after);
-  std::vector<std::filesystem::path> inputs = options.after.files();
-  for (const std::filesystem::path& file : before.files()) inputs.push_back(file);
+  std::vector<std::filesystem::path> inputs = options.after.all();
+  for (const std::filesystem::path& file : before.all()) inputs.push_back(file);
   Outputs outputs(verb, inputs);
   files::OutputFile *const json = outputs.open("--json", options.json), *const html = outputs.open(
                                                                             "--html", options.html);
   const diagnose::Change change = with_progress("change", [&](const auto& show) {
-    return diagnose::what_changed(study_of(before, first), study_of(options.after, second), show);
+    return diagnose::what_changed(study_of(first, before.effects), study_of(second, options.after.effects),
+                                  show);
   });
   const page::Provenance& from = outputs.provenance();
   if (json) json->write(page::json_text(as_json(change), from));

@@ -6,12 +6,12 @@
 #include <functional>
 #include <string>
 
-#include "app/experiment_input.hpp"
+#include "diagnose/api/study_files.hpp"
 
 namespace plumbline::app {
 
 struct ChangeOptions {
-  ExperimentInput after;
+  diagnose::StudyFiles after;
   std::string before;      ///< folder of the state of reference
   std::string json, html;  ///< or empty
   bool check = false;

@@ -6,11 +6,10 @@
 #include <plumbline/base/error.hpp>
 
 #include "app/command.hpp"
-#include "app/example_files.hpp"
-#include "app/experiment_input.hpp"
+#include "diagnose/api/example_files.hpp"
+#include "diagnose/api/report.hpp"
+#include "diagnose/api/study_files.hpp"
 #include "diagnose/draft/told_columns.hpp"
-#include "diagnose/exchange/corrected.hpp"
-#include "diagnose/report/report.hpp"
 #include "diagnose/screening/conventions.hpp"
 #include "support/files/output_file.hpp"
 #include "support/files/printable.hpp"
@@ -93,7 +92,7 @@ json WorkBench::take_example() {
   model_.clear();
   read_ = {};
   draft_ = {};
-  for (const auto& [name, text] : example_files) {
+  for (const auto& [name, text] : diagnose::example_files) {
     if (std::string(name) == "experiment.toml") {
       draft_.settings = text;
     } else {
@@ -123,10 +122,10 @@ json WorkBench::described() const {
               {"question", draft_.question},
               {"runs", json::array()}};
   try {
-    const diagnose::Experiment experiment = experiment_of({place_->path().string(), "", ""});
+    const diagnose::Experiment experiment = diagnose::experiment_of({place_->path(), {}, {}});
     for (const diagnose::Run& run : experiment.runs) result["runs"].push_back(readings(run));
     result["link_length"] = experiment.link_length;
-    require_conventions(study_of({}, experiment));
+    if (!experiment.arm || experiment.arm->frames_known) require_conventions(diagnose::study_of(experiment));
   } catch (const Error& question) {
     result["question"] = in_own_names(question.what());
   }
@@ -155,20 +154,18 @@ json WorkBench::begin(bool as_is) {
 void WorkBench::diagnose(bool as_is, const std::stop_token& stop) {
   Outcome outcome{State::done, "", "", {}};
   try {
-    const ExperimentInput input{place_->path().string(), "", ""};
-    const diagnose::Experiment experiment = experiment_of(input);
-    const diagnose::Study study = study_of(input, experiment);
-    if (!as_is) require_conventions(study);
-    const diagnose::Diagnosis found = diagnose::diagnose(study, [&](double share) {
+    const diagnose::Experiment experiment = diagnose::experiment_of({place_->path(), {}, {}});
+    const auto progress = [&](double share) {
       if (stop.stop_requested()) throw Cancelled();
       share_ = share;
-    });
-    outcome.words = as_text(found);
+    };
+    const diagnose::Report report(diagnose::study_of(experiment), {as_is, false, progress});
+    outcome.words = report.text();
     const page::Provenance from{program_name(), "plumbline diagnose, on the page", ""};
-    outcome.page = page::on_page(diagnose::as_html(study, found), from);
+    outcome.page = page::on_page(report.html(), from);
     const std::filesystem::path source = model_.empty() ? "" : *place_ / model_;
     const std::string ending = model_.empty() ? ".toml" : source.extension().string();
-    for (const exchange::Corrected& one : exchange::corrected_models(study, found, source)) {
+    for (const exchange::Corrected& one : report.corrected(source)) {
       const std::string stem = (model_.empty() ? std::string("model") : source.stem().string()) +
                                "-corrected" + (one.cause.empty() ? "" : "-" + one.cause);
       for (const std::string& format : {ending, std::string(".toml")}) {

@@ -101,6 +101,7 @@ NominalArm read_nominal_arm(const Section& section, const ReadArm& read) {
   }
   read_stiffness(section, nominal);
   nominal.arm.gravity = vector_or(section, "gravity", nominal.arm.gravity);
+  if (section.has("frames")) nominal.frames_known = section.one_of("frames", {"known", "unknown"}) == "known";
   if (section.has("base_xyz") || section.has("base_rpy"))
     nominal.arm.base = pose(section, "base_xyz", "base_rpy");
   return nominal;
@@ -145,8 +146,6 @@ ReadArmBench read_arm(const Section& section, const ReadArm& read) {
   result.bench.points = read_points(section, nominal);
   result.bench.load = section.has("load") ? on_body(section.table("load"), nominal)
                                           : OnLink<double>{nominal.arm.size() - 1, nominal.arm.tip};
-  // Calibration asks for it, behind this reader.
-  if (section.has("frames")) static_cast<void>(section.one_of("frames", {"known", "unknown"}));
   if (section.has("encoder")) result.motor_side = section.one_of("encoder", {"link", "motor"}) == "motor";
   return result;
 }

@@ -12,6 +12,7 @@
 #include "diagnose/bench/continued_runs.hpp"
 #include "diagnose/bench/covariates.hpp"
 #include "diagnose/bench/end_kind.hpp"
+#include "diagnose/bench/nominal_units.hpp"
 #include "diagnose/bench/read_date.hpp"
 #include "diagnose/bench/read_loads.hpp"
 #include "diagnose/bench/read_nominal.hpp"
@@ -28,49 +29,6 @@ namespace plumbline::diagnose {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The units of numbers in experiment.toml.
-struct Units {
-  Unit link_length, joint_stiffness, link_mass, gravity, rest;
-
-  /// \param nominal  whether the file contains the nominal model
-  [[nodiscard]] std::vector<Origin> origins(bool nominal) const {
-    const auto origin = [](const char* key, const Unit& unit) {
-      return Origin{key, "experiment.toml", unit.name, unit.in_si()};
-    };
-    if (!nominal) return {origin("rest", rest)};
-    return {origin("link_length", link_length), origin("joint_stiffness", joint_stiffness),
-            origin("link_mass", link_mass), origin("gravity", gravity), origin("rest", rest)};
-  }
-};
-
-Units read_units(const Section& root, bool slides) {
-  const Section units = root.table_or_empty("units");
-  units.allow_only({"link_length", "joint_stiffness", "link_mass", "gravity", "rest", "radius", "volume"});
-  const auto unit = [&](const char* key, const Quantity& quantity) {
-    return units.has(key) ? parse_unit(units.text(key, quantity.examples), quantity, units.place(key))
-                          : si_unit(quantity);
-  };
-  return {unit("link_length", quantity::length),
-          unit("joint_stiffness", slides ? quantity::sliding_stiffness : quantity::stiffness),
-          unit("link_mass", quantity::mass), unit("gravity", quantity::acceleration),
-          unit("rest", slides ? quantity::length : quantity::angle)};
-}
-
-std::vector<double> in_si(std::vector<double> values, const Unit& unit) {
-  for (double& value : values) value = in_si(value, unit);
-  return values;
-}
-
-/// A nominal model in these units.
-NominalChain in_si(NominalChain chain, const Units& units) {
-  if (chain.has_links()) chain.link_length = in_si(std::move(chain.link_length), units.link_length);
-  chain.joint_stiffness = in_si(std::move(chain.joint_stiffness), units.joint_stiffness);
-  chain.link_mass = in_si(std::move(chain.link_mass), units.link_mass);
-  chain.rest = in_si(std::move(chain.rest), units.rest);
-  for (double& component : chain.gravity) component = in_si(component, units.gravity);
-  return chain;
-}
 
 Bench::Plane plane(const Section& bench) {
   const std::string word = bench.one_of("gravity_plane", {"vertical", "horizontal", "unknown"});
@@ -196,11 +154,12 @@ std::vector<double> read_rest(const Section& section, const Shared& shared) {
   const Experiment& experiment = shared.experiment;
   if (!section.has("rest") && !experiment.rest.empty()) return experiment.rest;
   if (!section.has("rest") && !experiment.has_links()) return {0};
-  const std::vector<double> rest = section.numbers("rest", 0);
+  std::vector<double> rest = section.numbers("rest", 0);
   if (rest.size() != experiment.link_length.size())
     throw Error(section.place("rest"), fmt::format("{} values", rest.size()),
                 fmt::format("{}, one for each link of {}", experiment.link_length.size(), shared.chain));
-  return in_si(rest, shared.rest);
+  for (double& angle : rest) angle = in_si(angle, shared.rest);
+  return rest;
 }
 
 /// The loads along the chain as part of the run's command, in its unit: that of a force, of the place that a
@@ -325,7 +284,7 @@ Experiment read_settings(const Section& root, const Source& source, const Nomina
   Experiment experiment;
   experiment.name = root.name("name", "a name");
   const NominalChain nominal = model ? *model : read_nominal(root.table("nominal"));
-  const Units units = read_units(root, nominal.slides(0));
+  const NominalUnits units = read_nominal_units(root, nominal.slides(0));
   static_cast<NominalChain&>(experiment) = model ? nominal : in_si(nominal, units);
   experiment.origins = units.origins(model == nullptr);
   experiment.bench = read_bench(root, nominal.has_links());

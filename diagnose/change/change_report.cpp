@@ -24,18 +24,16 @@ const char* sense_word(Sense sense) {
   return sense == Sense::added ? "added" : "removed";
 }
 
-std::string probability(double value) {
-  return value > 0.999 ? "> 0.999" : value < 0.001 ? "< 0.001" : fmt::format("{:.3f}", value);
-}
-
 std::string answer(const Change& change) {
   const Cause& cause = change.diagnosis.cause;
   const double p = change.diagnosis.gap.probability;
   if (!change.diagnosis.gap.present)
     return fmt::format("{}: the two differ by noise (probability of a change {})\n",
-                       check(change) == Check::same ? "No change" : "No change is sure", probability(p));
+                       check(change) == Check::same ? "No change" : "No change is sure",
+                       probability_in_words(p));
   if (!cause.is_explained())
-    return fmt::format("Changed (probability {}), by a cause outside the catalogue\n", probability(p));
+    return fmt::format("Changed (probability {}), by a cause outside the catalogue\n",
+                       probability_in_words(p));
   const std::string words = in_words(cause.ranking.front().cause) + senses(change.sense);
   const std::size_t others = cause.named - 1 + (cause.or_unknown ? 1 : 0) + (change.otherwise ? 1 : 0);
   const char* const verdict = cause.verdict == CauseVerdict::partial     ? "Changed, mostly by"

@@ -99,16 +99,15 @@ bool leaves_nothing(const Findings& findings, const Hypothesis& one) {
          sum <= priors::scatter * priors::scatter * static_cast<double>(outlier.size());
 }
 
-/// Logarithms of probabilities, where the evidence counts to a power.
-std::vector<double> weights(const std::vector<Way>& all, double temper) {
+}  // namespace
+
+std::vector<double> log_weights(const std::vector<Way>& all, double power) {
   std::vector<double> weight;
-  for (const Way& one : all) weight.push_back(one.log_prior + temper * one.log_evidence);
+  for (const Way& one : all) weight.push_back(one.log_prior + power * one.log_evidence);
   const double sum = log_sum(weight);
   for (double& one : weight) one -= sum;
   return weight;
 }
-
-}  // namespace
 
 double discrepancy_share(const Study& study, const Findings& findings, const Hypothesis& hypothesis) {
   VectorXd left = findings.likelihood->decompose(hypothesis.residual).delta;
@@ -158,15 +157,15 @@ std::vector<Way> ways(const Study& study, const Findings& findings) {
 Posterior posterior(const Study& study, const Findings& findings) {
   const std::vector<Way> all = ways(study, findings), gaps(all.begin() + 1, all.end());
   Posterior result;
-  const std::vector<double> log_probability = weights(all, 1);
+  const std::vector<double> log_probability = log_weights(all, 1);
   const std::vector<double> of_gaps(log_probability.begin() + 1, log_probability.end());
   result.no_gap = std::exp(log_probability.front());
   result.log_odds_of_gap = log_sum(of_gaps) - log_probability.front();
   double discrepancy = 0;
-  const std::vector<double> plain = weights(gaps, 1);
+  const std::vector<double> plain = log_weights(gaps, 1);
   for (std::size_t i = 0; i < gaps.size(); ++i) discrepancy += std::exp(plain[i]) * gaps[i].discrepancy;
   result.temper = 1 - discrepancy * (1 - priors::temper);
-  const std::vector<double> weight = weights(gaps, result.temper);
+  const std::vector<double> weight = log_weights(gaps, result.temper);
   std::map<Labels, CauseProbability> causes;
   double most = 0;
   for (std::size_t i = 0; i < gaps.size(); ++i) {

@@ -38,6 +38,9 @@ struct Way {
 /// priors of its size.
 std::vector<Way> ways(const Study& study, const Findings& findings);
 
+/// Logarithms of the probabilities of all ways, where the evidence counts to a power.
+std::vector<double> log_weights(const std::vector<Way>& all, double power);
+
 struct Posterior {
   double no_gap = 0;
   double log_odds_of_gap = 0;  ///< over no gap

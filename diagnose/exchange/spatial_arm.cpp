@@ -31,9 +31,9 @@ class ArmBuilder {
     if (!model_.rows.empty())
       throw Error(source_, "corrections of a chain in the plane", "the model without them");
     require_no_loop();
-    auto& [arm, base, tip, joint, link, limits] = result_.nominal;
-    base = path_.base().name;
-    tip = path_.tip().name;
+    SerialArm<double>& arm = result_.nominal.arm;
+    result_.nominal.base = path_.base().name;
+    result_.nominal.tip = path_.tip().name;
     arm.base = model_.placed * path_.base().at;
     arm.gravity = model_.placed.linear() * model_.gravity;
     Isometry3d before = path_.base().at;

@@ -9,7 +9,7 @@
 namespace plumbline::motion {
 namespace {
 
-using diagnose::Posterior, diagnose::Way, diagnose::log_sum, diagnose::sum;
+using diagnose::Posterior, diagnose::Way, diagnose::log_sum, diagnose::log_weights, diagnose::sum;
 
 std::vector<std::string> labels_of(const Candidate& candidate) {
   std::vector<std::string> labels;
@@ -45,15 +45,6 @@ std::vector<Way> ways(const Findings& findings) {
     add(Way::Of::outside, out, priors.log_amplitude_outside);
   }
   return all;
-}
-
-/// Logarithms of probabilities, where the evidence counts to a power.
-std::vector<double> log_weights(const std::vector<Way>& all, double temper) {
-  std::vector<double> weight;
-  for (const Way& one : all) weight.push_back(one.log_prior + temper * one.log_evidence);
-  const double whole = log_sum(weight);
-  for (double& one : weight) one -= whole;
-  return weight;
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnose/report/view.hpp"
+
 namespace plumbline::motion {
 namespace {
 
@@ -35,11 +37,6 @@ std::string with_unit(const Estimate& one) {
   return fmt::format("{} = {:.4g}{} (95 %: {:.4g} to {:.4g})", one.name, one.value, unit, one.low, one.high);
 }
 
-std::string probability_text(double p) {
-  if (p > 0.999) return "> 0.999";
-  return p < 0.001 ? "< 0.001" : fmt::format("{:.3f}", p);
-}
-
 std::string sizes_of(const NamedCause& cause) {
   std::string text;
   for (const NamedEffect& effect : cause.effects)
@@ -60,10 +57,11 @@ std::string alternatives_text(const Diagnosis& d) {
   for (const NamedCause& one : d.causes) {
     const std::string own = words_of(one, [&](const NamedEffect& effect) { return !is_common(effect); });
     text += fmt::format("  - {} (probability {})\n", own.empty() ? "nothing else" : own,
-                        probability_text(one.probability));
+                        diagnose::probability_in_words(one.probability));
   }
   if (d.or_outside)
-    text += fmt::format("  - a cause outside the catalogue (probability {})\n", probability_text(d.outside));
+    text += fmt::format("  - a cause outside the catalogue (probability {})\n",
+                        diagnose::probability_in_words(d.outside));
   return text;
 }
 
@@ -148,10 +146,11 @@ std::string as_text(const Diagnosis& d) {
   text += error_text(d, true) + error_text(d, false);
   text +=
       fmt::format("\nIs there a gap?  {} (probability of a gap {}; of a cause outside the catalogue {})\n",
-                  d.gap > 0.5 ? "Yes" : "No", probability_text(d.gap), probability_text(d.outside));
+                  d.gap > 0.5 ? "Yes" : "No", diagnose::probability_in_words(d.gap),
+                  diagnose::probability_in_words(d.outside));
   text += "\nWhich explanations are probable?\n";
   for (const NamedCause& one : d.ranking)
-    text += fmt::format("  {:>7}  {}\n", probability_text(one.probability), words_of(one));
+    text += fmt::format("  {:>7}  {}\n", diagnose::probability_in_words(one.probability), words_of(one));
   text += "\nWhere?  Logs with the largest errors\n" + worst_logs(d);
   if (!d.after.empty()) {
     text += "\nThe drive's unknown numbers, beside the cause\n";

@@ -33,6 +33,8 @@ page::Strip strip_of(Regime regime, double from, double to) {
       return {from, to, "post", "post"};
     case Regime::unloading:
       return {from, to, "back", "unloading"};
+    case Regime::loading:
+      return {from, to, "pre", "loading"};
     case Regime::pre_critical:
       break;
   }

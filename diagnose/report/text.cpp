@@ -24,12 +24,6 @@ std::string precise_percent(double ratio) {
   return fmt::format("{:.3g} %", 100 * ratio);
 }
 
-/// "0.912", "> 0.999", "< 0.001".
-std::string probability(double value) {
-  if (value > 0.999) return "> 0.999";
-  return value < 0.001 ? "< 0.001" : fmt::format("{:.3f}", value);
-}
-
 std::string by_channel(const std::map<Channel, double>& values) {
   std::string text;
   for (const auto& [channel, value] : values)
@@ -42,7 +36,7 @@ std::string gap(const Diagnosis& diagnosis) {
   std::string text = fmt::format(
       "Is there a gap?  {} (probability of a gap {}): the nominal model misses {} rms, chi-square per value "
       "{:.3g}\n",
-      answer.present ? "Yes" : "No", probability(answer.probability), by_channel(answer.rms),
+      answer.present ? "Yes" : "No", probability_in_words(answer.probability), by_channel(answer.rms),
       answer.chi2_per_value);
   text += noise_as_text(diagnosis);
   if (!answer.taken_for_weights.empty())
@@ -134,7 +128,7 @@ std::string parts(const Cause& cause) {
   for (std::size_t i = 0; i < told_effects(cause); ++i)
     text += fmt::format("  {} is part of it with probability {}\n",
                         effect_in_words(cause, cause.effects[i].label),
-                        probability(cause.effects[i].probability));
+                        probability_in_words(cause.effects[i].probability));
   return text;
 }
 
@@ -161,7 +155,7 @@ std::string missing(const Diagnosis& diagnosis) {
 
 std::string leading(const RankedCause& best) {
   return fmt::format("{} (probability {}, chi-square per value {:.3g})\n", best.cause.name(),
-                     probability(best.probability), best.chi2_per_value);
+                     probability_in_words(best.probability), best.chi2_per_value);
 }
 
 std::string verdict_in_words(const Cause& cause) {
@@ -173,7 +167,7 @@ std::string verdict_in_words(const Cause& cause) {
 std::string unexplained(const Diagnosis& diagnosis) {
   const Cause& cause = diagnosis.cause;
   std::string text = fmt::format("What?  Unknown: a cause outside the catalogue has probability {}\n",
-                                 probability(cause.unknown));
+                                 probability_in_words(cause.unknown));
   text += missing(diagnosis);
   if (!cause.ranking.empty())
     text += (diagnosis.fails_to_predict ? "  fails to predict held-out readings: "
@@ -188,10 +182,10 @@ std::string explained(const Diagnosis& diagnosis) {
   text += leading(cause.ranking.front()) + parameters(diagnosis) + beside(cause);
   for (std::size_t i = 1; i < cause.named; ++i)
     text += fmt::format("  or {} (probability {})\n", cause.ranking[i].cause.name(),
-                        probability(cause.ranking[i].probability));
+                        probability_in_words(cause.ranking[i].probability));
   text += fmt::format("  {}a cause outside the catalogue {}\n", cause.or_unknown ? "or " : "",
-                      cause.or_unknown ? fmt::format("(probability {})", probability(cause.unknown))
-                                       : "has probability " + probability(cause.unknown));
+                      cause.or_unknown ? fmt::format("(probability {})", probability_in_words(cause.unknown))
+                                       : "has probability " + probability_in_words(cause.unknown));
   if (cause.rest)
     text += fmt::format("  it leaves {} of the residual, noise alone {}: {}\n", percent(cause.rest->share),
                         percent(cause.rest->noise_floor), cause.rest->why);
@@ -280,10 +274,10 @@ std::string answer(const Diagnosis& diagnosis) {
                        in_words(cause.ranking.front().cause));
   if (!cause.is_explained())
     return fmt::format("Unknown: the cause is outside the catalogue with probability {}\n",
-                       probability(cause.unknown));
+                       probability_in_words(cause.unknown));
   std::string text = verdict_in_words(cause) + ": " + in_words(cause.ranking.front().cause);
   if (cause.rest)
-    text += fmt::format(" (part of it with {}); {}", probability(cause.ranking.front().probability),
+    text += fmt::format(" (part of it with {}); {}", probability_in_words(cause.ranking.front().probability),
                         cause.rest->why);
   const std::size_t others = cause.named - 1 + (cause.or_unknown ? 1 : 0);
   if (others == 1) text += ", or the alternative below";

@@ -184,6 +184,11 @@ Command command_of(const Run& run) {
   return command;
 }
 
+std::string probability_in_words(double value) {
+  if (value > 0.999) return "> 0.999";
+  return value < 0.001 ? "< 0.001" : fmt::format("{:.3f}", value);
+}
+
 std::string joined(const std::vector<std::string>& parts, const std::string& between,
                    const std::string& last) {
   std::string text;

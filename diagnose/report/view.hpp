@@ -57,6 +57,9 @@ struct Command {
 };
 Command command_of(const Run& run);
 
+/// "0.912", "> 0.999", "< 0.001".
+std::string probability_in_words(double value);
+
 /// "a, b and c", for the separators ", " and " and ".
 std::string joined(const std::vector<std::string>& parts, const std::string& between,
                    const std::string& last);

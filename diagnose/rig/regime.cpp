@@ -35,6 +35,8 @@ std::string regime_word(Regime regime) {
       return "near-critical";
     case Regime::post_critical:
       return "post-critical";
+    case Regime::loading:
+      return "loading";
     case Regime::unloading:
       break;
   }
@@ -68,6 +70,9 @@ std::vector<Regime> regimes(const Run& run, const Trace& nominal) {
     result[static_cast<std::size_t>(i)] = now;
   }
   if (count > 1) result[0] = result[1] == Regime::unloading ? Regime::pre_critical : result[1];
+  if (run.alone != Alone::no)
+    for (Regime& one : result)
+      if (one != Regime::unloading) one = Regime::loading;
   return result;
 }
 

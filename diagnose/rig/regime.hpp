@@ -6,7 +6,7 @@
 
 namespace plumbline::diagnose {
 
-enum class Regime { pre_critical, near_critical, post_critical, unloading };
+enum class Regime { pre_critical, near_critical, post_critical, loading, unloading };
 
 std::string regime_word(Regime regime);
 
@@ -14,6 +14,7 @@ std::string regime_word(Regime regime);
 /// over the motion. Pre-buckling: at least half of its value at the start of the loading; near the loss of
 /// stiffness: between half and a tenth of it; post-buckling: below, or after the force has passed its
 /// maximum. Unloading: the commanded point moves back towards the unloaded shape.
+/// A joint alone loses no stability: it is loading or unloading.
 std::vector<Regime> regimes(const Run& run, const Trace& nominal);
 
 }  // namespace plumbline::diagnose

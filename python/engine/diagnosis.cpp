@@ -4,20 +4,15 @@
 #include <optional>
 #include <sstream>
 
-#include "diagnose/bench/decimate.hpp"
+#include "diagnose/api/report.hpp"
+#include "diagnose/api/study_files.hpp"
 #include "diagnose/bench/read_experiment.hpp"
-#include "diagnose/exchange/corrected.hpp"
 #include "diagnose/exchange/read_model.hpp"
 #include "diagnose/report/plan.hpp"
-#include "diagnose/report/report.hpp"
 #include "diagnose/report/view.hpp"
-#include "diagnose/rig/user_effects/read_effects.hpp"
-#include "diagnose/screening/conventions.hpp"
 #include "python/engine/engine.hpp"
 #include "support/files/experiment_files.hpp"
 #include "support/files/sha256.hpp"
-#include "support/files/text_file.hpp"
-#include "support/files/toml_file.hpp"
 #include "support/page/provenance.hpp"
 
 namespace plumbline::python {
@@ -92,11 +87,9 @@ std::optional<NominalChain> model_of(const std::string& file) {
 
 /// The file of the nominal model: the one that is given, or that an experiment names for its arm; empty
 /// without one.
-/// \param folder  of the experiment; empty of one in memory
-std::filesystem::path source_of(const toml::table& settings, const std::filesystem::path& folder,
-                                const std::string& model) {
+std::filesystem::path source_of(const toml::table& settings, const std::string& model) {
   const auto named = settings["arm"]["model"].value<std::string>();
-  return model.empty() && named ? folder / *named : std::filesystem::path(model);
+  return model.empty() && named ? *named : model;
 }
 
 /// \param read_with  one of the readers of experiments in memory
@@ -120,13 +113,6 @@ struct Wish {
   bool next, as_is;
   py::object progress;  ///< called with the share that is done; or none
 };
-
-/// \param effects  a file; or empty
-Study study_with(Experiment experiment, const std::string& effects) {
-  const auto stated = effects.empty() ? std::vector<diagnose::StatedEffect>{}
-                                      : diagnose::read_effects(effects, experiment.covariates);
-  return diagnose::study_with(decimated(std::move(experiment)), stated);
-}
 
 /// Hands the share that is done to Python, whose interrupts end the work.
 auto reporting(const py::object& progress) {
@@ -178,21 +164,21 @@ class Diagnosed {
  public:
   /// \param model  the file that the nominal chain was read from; or empty
   Diagnosed(Experiment experiment, const Wish& wish, page::Provenance from, std::filesystem::path model)
-      : from_(std::move(from)), model_(std::move(model)), study_(study_of(std::move(experiment), wish)) {
-    const py::gil_scoped_release released;
-    diagnosis_ = diagnose::diagnose(*study_, reporting(wish.progress), wish.next);
-  }
+      : from_(std::move(from)), model_(std::move(model)), report_(unlocked([&] {
+          return diagnose::Report(diagnose::study_of(std::move(experiment), wish.effects),
+                                  {wish.as_is, wish.next, reporting(wish.progress)});
+        })) {}
 
-  [[nodiscard]] std::string json() const { return page::json_text(as_json(*diagnosis_), from_); }
-  [[nodiscard]] std::string text() const { return as_text(*diagnosis_); }
+  [[nodiscard]] std::string json() const { return page::json_text(report_.json(), from_); }
+  [[nodiscard]] std::string text() const { return report_.text(); }
   [[nodiscard]] std::string html() const {
-    return unlocked([&] { return page::on_page(as_html(*study_, *diagnosis_), from_); });
+    return unlocked([&] { return page::on_page(report_.html(), from_); });
   }
   /// The corrected models, one a candidate: the cause where there are several, the text, and what became of
   /// each effect. \param ending  ".xml", of the format that is wanted
   [[nodiscard]] py::list corrected(const std::string& ending) const {
     py::list all;
-    for (const exchange::Corrected& one : exchange::corrected_models(*study_, *diagnosis_, model_)) {
+    for (const exchange::Corrected& one : report_.corrected(model_)) {
       const exchange::Written file =
           unlocked([&] { return exchange::written(one.model, exchange::format_of("model" + ending)); });
       py::list effects;
@@ -204,24 +190,16 @@ class Diagnosed {
   }
   /// Every measured series beside what the nominal and the corrected model say.
   [[nodiscard]] py::list curves() const {
-    const diagnose::Explained seen(*study_, *diagnosis_);
+    const diagnose::Explained seen(report_.study(), report_.diagnosis());
     py::list all;
     for (const diagnose::Series& series : seen.measurements.series()) all.append(curve_of(series, seen));
     return all;
   }
 
  private:
-  static std::unique_ptr<Study> study_of(Experiment experiment, const Wish& wish) {
-    const py::gil_scoped_release released;
-    auto study = std::make_unique<Study>(study_with(std::move(experiment), wish.effects));
-    if (!wish.as_is) require_conventions(*study);
-    return study;
-  }
-
   page::Provenance from_;
   std::filesystem::path model_;
-  std::unique_ptr<const Study> study_;
-  std::optional<diagnose::Diagnosis> diagnosis_;
+  diagnose::Report report_;
 };
 
 /// Of arrays the digest is that of their decimals.
@@ -248,18 +226,6 @@ page::Provenance provenance(const std::string& folder, const std::string& model,
   return {program, fmt::format("plumbline.diagnose_folder('{}')", folder), files::sha256(files)};
 }
 
-Experiment experiment_in(const std::string& folder, const std::string& model) {
-  const std::optional<NominalChain> nominal = model_of(model);
-  exchange::ArmReader arms;
-  return arms.with_effects(diagnose::read_experiment(folder, nominal ? &*nominal : nullptr, arms.read()));
-}
-
-/// \pre the experiment was read
-std::filesystem::path source_in(const std::filesystem::path& folder, const std::string& model) {
-  const std::filesystem::path settings = folder / "experiment.toml";
-  return source_of(files::parse_toml(files::read_text(settings), settings.string()), folder, model);
-}
-
 /// \param samples  of those runs alone whose settings have the key `samples`
 std::string plan(const py::dict& settings, const std::vector<Samples>& samples, const std::string& model,
                  const std::string& effects, const py::object& progress) {
@@ -267,7 +233,7 @@ std::string plan(const py::dict& settings, const std::vector<Samples>& samples, 
   Experiment bench = experiment_of(settings, samples, model,
                                    [](const auto&... given) { return diagnose::read_plan(given...); });
   return unlocked([&] {
-    const Experiment studied = study_with(std::move(bench), effects).experiment();
+    const Experiment studied = diagnose::study_of(bench, effects).experiment();
     return page::json_text(as_json(diagnose::plan(studied, reporting(progress))), from);
   });
 }
@@ -286,7 +252,7 @@ void add_diagnosis(py::module_& module) {
       "diagnose",
       [](const py::dict& settings, const std::vector<Samples>& samples, const std::string& model,
          std::string effects, bool next, bool as_is, py::object progress) {
-        const std::filesystem::path source = source_of(as_toml(settings), {}, model);
+        const std::filesystem::path source = source_of(as_toml(settings), model);
         const char* const function = settings.contains("arm") ? "diagnose_arm" : "diagnose";
         page::Provenance from = provenance(function, settings, samples, source, effects);
         Experiment experiment = experiment_of(settings, samples, model, [](const auto&... given) {
@@ -304,10 +270,11 @@ void add_diagnosis(py::module_& module) {
       [](const std::string& folder, const std::string& model, std::string effects, bool next, bool as_is,
          py::object progress) {
         page::Provenance from = provenance(folder, model, effects);
-        Experiment experiment = experiment_in(folder, model);
+        const diagnose::StudyFiles files{folder, model, effects};
+        Experiment experiment = experiment_of(files);
         return std::make_unique<Diagnosed>(std::move(experiment),
                                            Wish{std::move(effects), next, as_is, std::move(progress)},
-                                           std::move(from), source_in(folder, model));
+                                           std::move(from), files.nominal_model());
       },
       "folder"_a, py::kw_only(), "model"_a, "effects"_a, "next"_a, "as_is"_a, "progress"_a);
 }

@@ -55,8 +55,8 @@ class Place:
         (self.here / "R").mkdir()
         self.tmp.mkdir()
         shutil.copy(SOURCE / "docs/examples/four-link.toml", self.here / "four.toml")
-        shutil.copytree(SOURCE / "docs/examples/experiment", self.here / "E")
-        shutil.copytree(SOURCE / "docs/examples/experiment", self.here / "T/one")
+        shutil.copytree(SOURCE / "docs/examples/joint-loop", self.here / "E")
+        shutil.copytree(SOURCE / "docs/examples/joint-loop", self.here / "T/one")
         (self.here / "T/one/label.json").write_text('{"effects": [{"id": "joint_friction", "joint": null}]}')
         values = subprocess.run([PLUMBLINE, "critical", "four.toml", "--all", "--csv"], cwd=self.here,
                                 capture_output=True, text=True, check=True).stdout

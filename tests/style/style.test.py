@@ -22,8 +22,8 @@ LIBRARIES = ("core", "proofs", "statement", "verify", "diagnose", "app", "suppor
 ARROWS = (("core", "support", "proofs", "statement", "verify", "app"),
           ("core", "support", "statement", "diagnose", "trial", "app"),
           *(("core", "support", "diagnose", f"diagnose/{own}", "app")
-            for own in ("exchange", "calibration", "campaign", "change", "draft", "motion")),
-          ("diagnose/exchange", "diagnose/draft"), ("diagnose/campaign", "diagnose/change"))
+            for own in ("api", "exchange", "calibration", "campaign", "change", "draft", "motion")),
+          ("diagnose/exchange", "diagnose/calibration", "diagnose/api"), ("diagnose/exchange", "diagnose/draft"), ("diagnose/campaign", "diagnose/change"))
 # Words that stand in place of a subject.
 NO_SUBJECT = re.compile(r"(What|Of|Where)\b")
 # Pages that programs write: their words are those of the schemas and of the sources.

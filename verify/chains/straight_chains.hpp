@@ -6,11 +6,6 @@
 
 namespace plumbline::verify {
 
-/// Section 4.1: three links and a passive base joint, L = k = 1.
-inline Chain<Rational> three_link_chain() {
-  return Chain<Rational>({1, 1, 1}, {0, 1, 1});
-}
-
 /// Section 4.2: four elastic links, L = k = 1.
 inline Chain<Rational> four_link_chain() {
   return Chain<Rational>({1, 1, 1, 1}, {1, 1, 1, 1});

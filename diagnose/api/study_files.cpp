@@ -1,0 +1,66 @@
+#include "diagnose/api/study_files.hpp"
+
+#include <map>
+#include <optional>
+
+#include "diagnose/api/example_files.hpp"
+#include "diagnose/bench/decimate.hpp"
+#include "diagnose/bench/read_experiment.hpp"
+#include "diagnose/exchange/read_model.hpp"
+#include "diagnose/rig/user_effects/read_effects.hpp"
+#include "support/files/experiment_files.hpp"
+#include "support/files/text_file.hpp"
+#include "support/files/toml_file.hpp"
+
+namespace plumbline::diagnose {
+namespace {
+
+std::string example_file(const std::string& name, const std::string&) {
+  std::map<std::string, std::string> files;
+  for (const auto& [known, text] : example_files) files.emplace(known, text);
+  return files.at(name);
+}
+
+constexpr const char* example_folder = "docs/examples/experiment";
+
+/// \param read  one of the readers of experiments
+template <class Read>
+Experiment read_with(const StudyFiles& files, const Read& read) {
+  std::optional<NominalChain> model;
+  if (!files.model.empty()) model = exchange::read_model(files.model).chain;
+  const NominalChain* const nominal = model ? &*model : nullptr;
+  if (files.folder.empty()) return read(std::filesystem::path(example_folder), example_file, nominal);
+  exchange::ArmReader arms;
+  return arms.with_effects(read(files.folder, nominal, arms.read()));
+}
+
+}  // namespace
+
+std::vector<std::filesystem::path> StudyFiles::all() const {
+  std::vector<std::filesystem::path> all = files::files_read(folder);
+  all.insert(all.end(), {model, effects});
+  return all;
+}
+
+std::filesystem::path StudyFiles::nominal_model() const {
+  if (!model.empty() || folder.empty()) return model;
+  const std::string settings = (folder / "experiment.toml").string();
+  const toml::table table = files::parse_toml(files::read_text(settings), settings);
+  const auto file = table["arm"]["model"].value<std::string>();
+  return file ? folder / *file : std::filesystem::path();
+}
+
+Experiment experiment_of(const StudyFiles& files) {
+  return read_with(files, [](const auto&... given) { return read_experiment(given...); });
+}
+
+Experiment bench_of(const StudyFiles& files) {
+  return read_with(files, [](const auto&... given) { return read_plan(given...); });
+}
+
+Study study_of(const Experiment& experiment, const std::filesystem::path& effects) {
+  return study_with(decimated(experiment), effects.empty() ? std::vector<StatedEffect>{}
+                                                           : read_effects(effects, experiment.covariates));
+}
+
+}  // namespace plumbline::diagnose

@@ -1,0 +1,90 @@
+#include "diagnose/rig/traveller.hpp"
+
+#include <cmath>
+
+#include "diagnose/rig/delayed.hpp"
+#include "diagnose/rig/load_cell.hpp"
+#include "diagnose/rig/substeps.hpp"
+
+namespace plumbline::diagnose {
+
+Traveller::Traveller(const Experiment& experiment, const Rig& rig, const Run& run)
+    : on(rig, run.rest),
+      unloaded(unloaded_end(experiment, run.rest)),
+      memory(run.rest.size()),
+      behind_(rig.command_delay > 0 ? delayed(run, rig.command_delay) : std::vector<Reading>{}),
+      load_history_(experiment.loads, rig.length.size(), rig.moment_arm_error, rig.capstan_friction) {
+  for (std::size_t i = 0; i < memory.size(); ++i) {
+    memory[i].angle = on.joint[i].rest;
+    rest_then_.push_back(on.joint[i].rest);
+  }
+}
+
+const Reading& Traveller::led_to(const Stop& stop) {
+  if (behind_.empty() || !stop.to) return stop.reading;
+  if (!stop.from || stop.share == 1) return behind_[*stop.to];
+  on_the_way_ = between(behind_[*stop.from], behind_[*stop.to], stop.share);
+  return on_the_way_;
+}
+
+void Traveller::turn_to(const std::vector<double>& rest) {
+  on.turn_to(rest);
+  for (std::size_t i = 0; i < memory.size(); ++i) memory[i].led = on.joint[i].rest - rest_then_[i];
+}
+
+const Imposed& Traveller::impose(const Run& run, const Reading& reading, double growing) {
+  imposed = {run.control, at_end(run, reading, growing), load_history_.next(reading.covariates)};
+  return imposed;
+}
+
+Vector2 Traveller::measure_force(double t, double dt, double direction) {
+  const Rig& rig = on.rig;
+  const Vector2 force(posture.force.x, posture.force.y);
+  Vector2 read = shown_by_cell(rig, turned(force, -rig.misalignment)) + zero_of_cell(rig, t);
+  read.x() += rig.guide_friction * direction;
+  return lagging(read, dt).cwiseMin(rig.force_limit).cwiseMax(-rig.force_limit);
+}
+
+Vector2 Traveller::second_load(const Run& run) const {
+  const Vector2 force = run.holds_end_point() ? Vector2(posture.force.x, posture.force.y) : imposed.value;
+  return (1 + on.rig.second_gain) * turned(force, -on.rig.misalignment) + on.rig.second_zero;
+}
+
+void Traveller::expect(double share, double dt) {
+  for (JointMemory& joint : memory) joint.speed = dt > 0 ? share * joint.turn / dt : 0;
+}
+
+void Traveller::remember(const Layout& layout, const TimeStep& during) {
+  for (std::size_t i = 0; i < memory.size(); ++i) {
+    const Contact* const contact = posture.contact.data() + layout.contact(i, 0);
+    diagnose::remember(on, during, i, layout.joint_angle(posture.angle, i), contact, memory[i]);
+    rest_then_[i] = on.joint[i].rest;
+  }
+}
+
+/// The true end point or force.
+Vector2 Traveller::at_end(const Run& run, const Reading& reading, double growing) const {
+  const Rig& rig = on.rig;
+  if (run.holds_end_point())
+    return unloaded + turned(run.imposed_at(reading) - unloaded, rig.misalignment) +
+           rig.position_offset.head<2>();
+  const double passed = rig.pulley_friction == 0 ? 1 : std::exp(-rig.pulley_friction * growing);
+  if (run.by_weights) return turned(passed * run.imposed_at(reading), rig.misalignment);
+  const Vector2 read = run.imposed_at(reading) - zero_of_cell(rig, reading.t);
+  return turned(passed * force_on_cell(rig, read), rig.misalignment);
+}
+
+/// The reading of a first-order load cell for a force that changes linearly between readings.
+Vector2 Traveller::lagging(const Vector2& now, double dt) {
+  const double lag = on.rig.force_lag;
+  if (lag > 0 && dt > 0) {
+    const Vector2 behind = (now - felt_) / dt * lag;
+    shown_ = now - behind + std::exp(-dt / lag) * (shown_ - felt_ + behind);
+  } else {
+    shown_ = now;
+  }
+  felt_ = now;
+  return shown_;
+}
+
+}  // namespace plumbline::diagnose

@@ -1,0 +1,67 @@
+#pragma once
+/// \file
+/// A planar rig under way in one run: its posture, its memory, and what its sensors read.
+
+#include <optional>
+#include <vector>
+
+#include "diagnose/bench/experiment.hpp"
+#include "diagnose/rig/chain_loads.hpp"
+#include "diagnose/rig/rig_solver.hpp"
+
+namespace plumbline::diagnose {
+
+/// A stop on the way: a reading, or a place between two of them, by their numbers.
+struct Stop {
+  const Reading& reading;  ///< as commanded
+  std::optional<std::size_t> from, to = std::nullopt;
+  double share = 1;  ///< of the way between them
+};
+
+class Traveller {
+ public:
+  Traveller(const Experiment& experiment, const Rig& rig, const Run& run);
+
+  /// The command at a stop, as late as the drives follow it.
+  [[nodiscard]] const Reading& led_to(const Stop& stop);
+
+  /// Commands other joint angles.
+  void turn_to(const std::vector<double>& rest);
+
+  /// The true end point (after position offset and rail misalignment) or the true force (after the load cell,
+  /// the pulley and the rail) of a command, and the next loads along the chain. The rail turns about the
+  /// unloaded end point.
+  /// \param growing  1 while the imposed force grows, -1 while it falls
+  [[nodiscard]] const Imposed& impose(const Run& run, const Reading& reading, double growing);
+
+  /// The measured force, in the axes of the rail.
+  /// \param dt  time since the last reading; 0 at the first
+  Vector2 measure_force(double t, double dt, double direction);
+
+  /// What a second sensor beside the first one reads.
+  [[nodiscard]] Vector2 second_load(const Run& run) const;
+
+  /// Sets the expected joint speeds from those of the last step.
+  /// \param share  length of the next step of the command over that of the last
+  void expect(double share, double dt);
+
+  void remember(const Layout& layout, const TimeStep& during);
+
+  RunRig on;
+  Vector2 unloaded;                                      ///< end point of the nominal chain at rest
+  Imposed imposed{Control::end_point, Vector2::Zero()};  ///< last
+  Posture posture;
+  std::vector<JointMemory> memory;
+
+ private:
+  [[nodiscard]] Vector2 at_end(const Run& run, const Reading& reading, double growing) const;
+  Vector2 lagging(const Vector2& now, double dt);
+
+  std::vector<Reading> behind_;  ///< the readings with delayed commands; none without delay
+  Reading on_the_way_{};         ///< between two of them
+  Vector2 felt_ = Vector2::Zero(), shown_ = Vector2::Zero();  ///< at the last reading
+  std::vector<double> rest_then_;                             ///< of each joint, likewise
+  LoadHistory load_history_;
+};
+
+}  // namespace plumbline::diagnose
