@@ -3,7 +3,7 @@
 
 usage: style.test.py [SOURCE]
 
-Files of more lines than the rule allows are listed with the reason in long-files.md, which may only shrink.
+Files of more lines and pages of more words than the rule allows are listed with the reason in long-files.md, which may only shrink.
 """
 import os
 import pathlib
@@ -16,6 +16,7 @@ import tempfile
 COLUMNS = 120
 LINES = 400
 WORDS = 40
+PAGE = 900
 CODE = ("core", "proofs", "statement", "verify", "diagnose", "app", "support", "trial", "tests", "python", "benchmarks")
 LIBRARIES = ("core", "proofs", "statement", "verify", "diagnose", "app", "support", "trial")
 # A folder includes files of itself and of those before it in a line that has both.
@@ -62,23 +63,31 @@ def wide(source):
                 yield f"{name}:{number}: found {len(line)} columns, expected at most {COLUMNS}"
 
 
-def listed(source):
-    """The rows of long-files.md: the lines of each file that is longer than the rule allows."""
+def listed(source, endings):
+    """The rows of long-files.md: how many lines or words a file may have that has more than the rule allows."""
     rows = re.findall(r"^\| `(.+)` \| (\d+) \| .+ \|$", text(source, "tests/style/long-files.md"), flags=re.M)
-    return {name: int(lines) for name, lines in rows}
+    return {name: int(most) for name, most in rows if name.endswith(endings)}
+
+
+def long_ones(source, folders, endings, limit, size, what):
+    allowed = listed(source, endings)
+    for name in files(source, folders, endings):
+        found, most = size(text(source, name)), allowed.pop(name, None)
+        if most is None and found >= limit:
+            yield f"{name}: found {found} {what}, expected less than {limit}"
+        elif most is not None and found > most:
+            yield f"{name}: found {found} {what}, expected at most the {most} of long-files.md"
+        elif most is not None and found < limit:
+            yield f"tests/style/long-files.md: found {name}, which has {found} {what}, expected files of {limit} and more"
+    yield from (f"tests/style/long-files.md: found {name}, which is not there" for name in allowed)
 
 
 def long_files(source):
-    allowed = listed(source)
-    for name in files(source, CODE, (".cpp", ".hpp", ".py")):
-        lines, most = text(source, name).count("\n"), allowed.pop(name, None)
-        if most is None and lines >= LINES:
-            yield f"{name}: found {lines} lines, expected less than {LINES}"
-        elif most is not None and lines > most:
-            yield f"{name}: found {lines} lines, expected at most the {most} of long-files.md"
-        elif most is not None and lines < LINES:
-            yield f"tests/style/long-files.md: found {name}, which has {lines} lines, expected files of {LINES} and more"
-    yield from (f"tests/style/long-files.md: found {name}, which is not there" for name in allowed)
+    yield from long_ones(source, CODE, (".cpp", ".hpp", ".py"), LINES, lambda file: file.count("\n"), "lines")
+
+
+def long_pages(source):
+    yield from long_ones(source, ("docs",), (".md",), PAGE, lambda page: len(page.split()), "words")
 
 
 def place(name):
@@ -130,22 +139,22 @@ def planted():
              "core/wide.hpp": "/// " + "word " * 30 + "\n", "diagnose/change/fine.hpp": '#include "diagnose/rig/rig.hpp"\n',
              "README.md": "# A title\n\nWhat is it? Where it leads is not said.\n\n| What | a table |\n",
              "diagnose/rig/effects/README.md": "**A bold word.** Of these none is said.\n",
-             "verify/papers/README.md": "word " * (WORDS + 1) + "end.\n", "docs/page.md": "```sh\nWhat a line.\n```\n",
+             "verify/papers/README.md": "word " * (WORDS + 1) + "end.\n", "docs/page.md": "```sh\nWhat a line.\n```\n", "docs/long.md": "Fine words.\n" * PAGE,
              "tests/style/long-files.md": "| `core/gone.cpp` | 500 | none |\n"}
     with tempfile.TemporaryDirectory() as folder:
         for name, content in pages.items():
             place = pathlib.Path(folder, name)
             place.parent.mkdir(parents=True, exist_ok=True)
             place.write_text(content, encoding="utf-8")
-        found = {check.__name__: [line.split(":")[0] for line in check(folder)] for check in (wide, long_files, upward, prose)}
-    assert found == {"wide": ["core/wide.hpp"], "long_files": ["core/long.cpp", "tests/style/long-files.md"], "upward": ["core/up.hpp"],
+        found = {check.__name__: [line.split(":")[0] for line in check(folder)] for check in (wide, long_files, long_pages, upward, prose)}
+    assert found == {"wide": ["core/wide.hpp"], "long_files": ["core/long.cpp", "tests/style/long-files.md"], "long_pages": ["docs/long.md"], "upward": ["core/up.hpp"],
                      "prose": ["README.md", "verify/papers/README.md", "diagnose/rig/effects/README.md"]}, found
 
 
 def main():
     planted()
     source = sys.argv[1] if len(sys.argv) > 1 else os.path.join(os.path.dirname(__file__), "..", "..")
-    found = [complaint for check in (unformatted, wide, long_files, upward, prose) for complaint in check(source)]
+    found = [complaint for check in (unformatted, wide, long_files, long_pages, upward, prose) for complaint in check(source)]
     print("\n".join(found) if found else "layout, lengths, folder arrows and prose: as docs/contributing.md asks")
     return 1 if found else 0
 
