@@ -24,13 +24,18 @@ struct Candidate {
   [[nodiscard]] bool has(const Row& row) const;
 };
 
+/// Angle and speed at the begin of a segment, less a parabola's through its first readings, in units of the
+/// motion's own: neither is known beforehand.
+using Begin = Eigen::Vector2d;
+
 /// The means of neighbouring readings of a segment, with their derivatives.
 struct SegmentMeans {
   Eigen::VectorXd time;      ///< s
-  Eigen::VectorXd residual;  ///< measured - predicted, rad
+  Eigen::VectorXd residual;  ///< measured - predicted from `begin`, rad
   Eigen::MatrixXd slopes;    ///< of the prediction by the parameters
-  Eigen::MatrixXd initial;   ///< the same by angle and speed at the begin, times their standard deviations
+  Eigen::MatrixXd initial;   ///< the same by the begin
   Eigen::VectorXd variance;  ///< of the noise of readings, rad^2
+  Begin begin;
 };
 
 /// The bench under study.
@@ -51,13 +56,19 @@ class Study {
   [[nodiscard]] Drive<double> drive(const std::vector<Parameter>& parameters,
                                     const std::vector<double>& values) const;
 
+  /// Begins by the parabolas alone.
+  [[nodiscard]] std::vector<Begin> rough_begins() const {
+    return std::vector<Begin>(segments_.size(), Begin::Zero());
+  }
   /// What is left of every segment.
   [[nodiscard]] std::vector<SegmentMeans> left(const std::vector<Parameter>& parameters,
-                                               const std::vector<double>& values) const;
+                                               const std::vector<double>& values,
+                                               const std::vector<Begin>& begins) const;
 
  private:
+  template <int size>
   [[nodiscard]] SegmentMeans left_of(std::size_t segment, const std::vector<Parameter>& parameters,
-                                     const std::vector<double>& values) const;
+                                     const std::vector<double>& values, const Begin& begin) const;
 
   Bench bench_;
   Sizes sizes_;
@@ -70,7 +81,8 @@ class Study {
 /// Most parameters of a hypothesis; so many derivatives are carried through a roll-out.
 inline constexpr std::size_t most_parameters = 14;
 
-/// Mean of |predicted - measured| over a log that is rolled out whole from its first reading, rad.
+/// Mean of |predicted - measured| over a log that is rolled out whole, rad: from the state at its first
+/// reading with which its first three tenths of a second are predicted best.
 double error_of(const Drive<double>& drive, const MotionLog& log);
 
 }  // namespace plumbline::motion

@@ -163,7 +163,10 @@ Bench read_bench(const std::filesystem::path& folder) {
   const Section logs = all.table("logs"), servo = all.table("servo"), load = all.table("load"),
                 noise = all.table("noise");
   logs.allow_only({"files", "index", "file", "fit", "held_out"});
-  servo.allow_only({"gain", "duty_per_error", "supply"});
+  servo.allow_only({"gain", "duty_per_error", "supply", "encoder"});
+  const EncoderSide encoder = servo.has("encoder") && servo.one_of("encoder", {"joint", "motor"}) == "motor"
+                                  ? EncoderSide::motor
+                                  : EncoderSide::joint;
   load.allow_only({"mass", "length", "rod_mass", "inertia", "gravity_moment"});
   noise.allow_only({"position"});
   const Columns columns(all.table_or_empty("columns"));
@@ -178,6 +181,7 @@ Bench read_bench(const std::filesystem::path& folder) {
     if (!held_out && logs.has("fit") && !is_chosen(logs, "fit", row)) continue;
     require_inside(row.file, row.place);
     MotionLog log = read_log(folder, row, columns, value_of(servo, "supply", row, 1));
+    log.encoder = encoder;
     log.gain = value_of(servo, "gain", row, 1) * value_of(servo, "duty_per_error", row, 1);
     if (!(log.gain > 0))
       throw Error(row.place, fmt::format("a gain of {:g}", log.gain), "a positive one, duty per rad");
