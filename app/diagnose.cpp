@@ -129,13 +129,12 @@ void run_diagnosis(const DiagnoseOptions& options, const CLI::App& verb) {
 void run_motion(const DiagnoseOptions& options, const CLI::App& verb) {
   for (const auto& [name, value] : {std::pair{"--model", options.model},
                                     {"--effects", options.effects},
-                                    {"--corrected", options.corrected},
                                     {"--html", options.html},
                                     {"--against", options.against}})
     if (!value.empty()) throw Error(name, "an experiment of motion", "a bench of loads or poses");
   if (options.plan || options.next)
     throw Error(options.plan ? "--plan" : "--next", "an experiment of motion", "a bench of loads or poses");
-  diagnose_motion(options.experiments.front(), options.json, verb);
+  diagnose_motion(options.experiments.front(), options.json, options.corrected, verb);
 }
 
 void run(const DiagnoseOptions& options, const CLI::App& verb) {

@@ -6,6 +6,7 @@
 
 #include "app/outputs.hpp"
 #include "app/progress.hpp"
+#include "diagnose/motion/corrected_joint.hpp"
 #include "diagnose/motion/read_bench.hpp"
 #include "diagnose/motion/report.hpp"
 
@@ -17,9 +18,22 @@ bool is_motion(const std::string& folder) {
          motion::is_motion(folder);
 }
 
-void diagnose_motion(const std::string& folder, const std::string& json, const CLI::App& verb) {
+namespace {
+
+std::string words_of(const std::vector<exchange::Carried>& effects, const std::string& path) {
+  std::string text = fmt::format("\nCorrected model: {}\n", path);
+  for (const exchange::Carried& one : effects)
+    text += fmt::format("  {}{}: {}\n", one.carried ? "" : "not carried: ", one.effect, one.how);
+  return text;
+}
+
+}  // namespace
+
+void diagnose_motion(const std::string& folder, const std::string& json, const std::string& corrected,
+                     const CLI::App& verb) {
   Outputs outputs(verb, {std::filesystem::path(folder) / "experiment.toml"});
-  files::OutputFile* const file = outputs.open("--json", json);
+  files::OutputFile *const file = outputs.open("--json", json), *const model =
+                                                                    outputs.open("--corrected", corrected);
   const motion::Study study(motion::read_bench(folder));
   constexpr std::size_t steps = 100;
   Progress progress("diagnosis", steps);
@@ -27,9 +41,14 @@ void diagnose_motion(const std::string& folder, const std::string& json, const C
   const motion::Diagnosis diagnosis = motion::diagnose_motion(study, [&](double share) {
     for (; shown < static_cast<std::size_t>(share * steps); ++shown) progress.advance();
   });
+  exchange::Written written;
+  if (model) {
+    written = motion::corrected_joint(study.bench(), diagnosis, corrected);
+    model->write(written.text);
+  }
   if (file) file->write(page::json_text(as_json(diagnosis), outputs.provenance()));
   outputs.commit();
-  if (json != "-") fmt::print("{}", as_text(diagnosis));
+  if (json != "-") fmt::print("{}{}", as_text(diagnosis), model ? words_of(written.effects, corrected) : "");
 }
 
 }  // namespace plumbline::app

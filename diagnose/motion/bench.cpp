@@ -9,9 +9,10 @@
 namespace plumbline::motion {
 namespace {
 
-/// Duration of a segment, and of the means of neighbouring readings: numbers of the method, s. A segment is
-/// long beside every delay, and short beside the time after which a small error owns the rest.
-constexpr double segment_duration = 2, mean_duration = 0.05;
+/// Duration of a segment: a number of the method, s. A segment is long beside every delay, and short beside
+/// the time after which a small error owns the rest.
+constexpr double segment_duration = 2;
+
 /// What the model leaves to the fit: begins at its typical size.
 std::vector<Parameter> unknown_parameters(const Sizes& sizes, const std::vector<Term>& unknown) {
   std::vector<Parameter> all;
@@ -152,9 +153,13 @@ InitialState settled_state(const Drive<double>& drive, const MotionLog& log) {
 
 }  // namespace
 
-double error_of(const Drive<double>& drive, const MotionLog& log) {
+std::vector<double> predicted(const Drive<double>& drive, const MotionLog& log) {
   const InitialState begin = settled_state(drive, log);
-  const std::vector<double> angle = angles_of(drive, log, {0, 0, log.time.size()}, begin.q, begin.v);
+  return angles_of(drive, log, {0, 0, log.time.size()}, begin.q, begin.v);
+}
+
+double error_of(const Drive<double>& drive, const MotionLog& log) {
+  const std::vector<double> angle = predicted(drive, log);
   double sum = 0;
   for (std::size_t k = 0; k < angle.size(); ++k) sum += std::abs(angle[k] - log.position[k]);
   return sum / static_cast<double>(angle.size());

@@ -2,9 +2,20 @@
 /// \file
 /// Logs and the model with which they are compared; and what follows from them once and for all.
 
+#include <filesystem>
+#include <optional>
+
 #include "diagnose/motion/catalogue.hpp"
 
 namespace plumbline::motion {
+
+/// The file that the numbers of the drive come from, for corrections.
+struct ModelFile {
+  std::filesystem::path file;  ///< empty without one
+  std::string joint;           ///< its name; empty where it is the only one
+  std::optional<double> gain;  ///< of its servo, duty per rad
+  std::string actuator;        ///< name that BAM has for it
+};
 
 /// An experiment as it was read.
 struct Bench {
@@ -14,6 +25,7 @@ struct Bench {
   Drive<double> nominal;            ///< the numbers that the model states; the others are zero
   std::vector<Term> unknown;        ///< stated as unknown: fitted beside every cause
   double sigma = 0;                 ///< standard deviation of a reading of position, rad
+  ModelFile model = {};
 };
 
 /// Rows that act together.
@@ -81,8 +93,13 @@ class Study {
 /// Most parameters of a hypothesis; so many derivatives are carried through a roll-out.
 inline constexpr std::size_t most_parameters = 14;
 
-/// Mean of |predicted - measured| over a log that is rolled out whole, rad: from the state at its first
-/// reading with which its first three tenths of a second are predicted best.
+/// Duration of the means of neighbouring readings, s: a number of the method.
+inline constexpr double mean_duration = 0.05;
+
+/// The positions of a log that is rolled out whole, from the state at its first reading with which its first
+/// three tenths of a second are predicted best.
+std::vector<double> predicted(const Drive<double>& drive, const MotionLog& log);
+/// Mean of |predicted - measured|, rad.
 double error_of(const Drive<double>& drive, const MotionLog& log);
 
 }  // namespace plumbline::motion

@@ -147,6 +147,23 @@ void read_drive(const Section& drive, Bench& bench) {
                 "the torque at full duty over the supply, N m/V, or \"unknown\"");
 }
 
+ModelFile read_model(const std::filesystem::path& folder, const Section& model, const Section& servo) {
+  model.allow_only({"file", "joint", "gain", "actuator"});
+  ModelFile read;
+  const auto text = [&](const char* key) {
+    return model.has(key) ? model.text(key, "a text") : std::string();
+  };
+  if (model.has("file")) {
+    require_inside(text("file"), model.place("file"));
+    read.file = folder / text("file");
+  }
+  read.joint = text("joint"), read.actuator = text("actuator");
+  if (model.has("gain"))
+    read.gain =
+        model.number("gain", "a number in the unit of servo.gain") * value_of(servo, "duty_per_error", {}, 1);
+  return read;
+}
+
 }  // namespace
 
 bool is_motion(const std::filesystem::path& folder) {
@@ -159,7 +176,7 @@ Bench read_bench(const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / "experiment.toml";
   const toml::table table = files::parse_toml(files::read_text(file), file.string());
   const Section all(table, file.string());
-  all.allow_only({"format", "name", "logs", "columns", "servo", "load", "drive", "noise"});
+  all.allow_only({"format", "name", "logs", "columns", "servo", "load", "drive", "noise", "model"});
   const Section logs = all.table("logs"), servo = all.table("servo"), load = all.table("load"),
                 noise = all.table("noise");
   logs.allow_only({"files", "index", "file", "fit", "held_out"});
@@ -191,6 +208,7 @@ Bench read_bench(const std::filesystem::path& folder) {
   }
   if (bench.logs.empty()) throw Error(logs.where() + ": logs", "no log to fit to", "one at least");
   read_drive(all.table("drive"), bench);
+  bench.model = read_model(folder, all.table_or_empty("model"), servo);
   return bench;
 }
 
