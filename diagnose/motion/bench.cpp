@@ -9,10 +9,6 @@
 namespace plumbline::motion {
 namespace {
 
-/// Duration of a segment: a number of the method, s. A segment is long beside every delay, and short beside
-/// the time after which a small error owns the rest.
-constexpr double segment_duration = 2;
-
 /// What the model leaves to the fit: begins at its typical size.
 std::vector<Parameter> unknown_parameters(const Sizes& sizes, const std::vector<Term>& unknown) {
   std::vector<Parameter> all;
@@ -39,12 +35,12 @@ bool Candidate::has(const Row& row) const {
   return std::find(rows.begin(), rows.end(), &row) != rows.end();
 }
 
-Study::Study(Bench bench)
+Study::Study(Bench bench, double duration)
     : bench_(std::move(bench)),
       sizes_(bench_.logs),
       unknown_(unknown_parameters(sizes_, bench_.unknown)),
       rows_(catalogue(sizes_, bench_.nominal, bench_.unknown)),
-      segments_(segments_of(bench_.logs, segment_duration)) {
+      segments_(segments_of(bench_.logs, duration)) {
   for (const Segment& one : segments_) begins_.push_back(initial_state(bench_.logs[one.log], one.first));
 }
 

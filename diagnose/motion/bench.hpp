@@ -50,10 +50,14 @@ struct SegmentMeans {
   Begin begin;
 };
 
+/// Durations of segments, s. A segment is long beside every delay, and short beside the time after which a
+/// small error owns the rest; fits from far away begin with short ones, in which no error grows.
+inline constexpr double segment_duration = 2, short_segment = 0.4;
+
 /// The bench under study.
 class Study {
  public:
-  explicit Study(Bench bench);
+  explicit Study(Bench bench, double duration = segment_duration);
 
   [[nodiscard]] const Bench& bench() const { return bench_; }
   [[nodiscard]] const Sizes& sizes() const { return sizes_; }

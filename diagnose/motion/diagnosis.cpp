@@ -122,8 +122,8 @@ Diagnosis diagnose_motion(const Study& study, const std::function<void(double)>&
   result.after = estimates(best, 0, study.unknowns(), posterior.temper);
   result.spread = best.look.best.amplitude;
   result.drive = study.drive(best.parameters, best.values);
-  result.errors = errors_of(study.bench(), study.drive(findings.nominal.parameters, findings.nominal.values),
-                            result.drive);
+  result.without = study.drive(findings.nominal.parameters, findings.nominal.values);
+  result.errors = errors_of(study.bench(), result.without, result.drive);
   if (!result.causes.empty()) result.rest = rest_of(result, best, study.bench().sigma);
   if (result.verdict == CauseVerdict::identified && !result.rest.empty())
     result.verdict = CauseVerdict::partial;

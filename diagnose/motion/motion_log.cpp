@@ -19,7 +19,7 @@ InitialState initial_state(const MotionLog& log, std::size_t reading) {
     right += row * log.position[k];
   }
   const Eigen::Vector3d found = normal.ldlt().solve(right);
-  return {found(0), found(1)};
+  return {found(0), found(1), 2 * found(2)};
 }
 
 std::vector<Segment> segments_of(const std::vector<MotionLog>& logs, double duration) {

@@ -29,9 +29,9 @@ struct Segment {
   std::size_t first, end;  ///< readings
 };
 
-/// Angle and speed at a reading, from a parabola through its neighbours.
+/// Angle, speed and acceleration at a reading, from a parabola through its neighbours.
 struct InitialState {
-  double q, v;
+  double q, v, a;
 };
 
 InitialState initial_state(const MotionLog& log, std::size_t reading);

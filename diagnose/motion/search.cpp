@@ -45,8 +45,10 @@ std::set<const Row*> rows_of(const Candidate& candidate) {
 
 class Searcher {
  public:
-  explicit Searcher(const Study& study) : study_(study) {
-    const Hypothesis rough = nominal_fit(study, far_likelihood(study));
+  explicit Searcher(const Study& study) : study_(study), short_study_(study.bench(), short_segment) {
+    const Hypothesis rough =
+        fitted(study, far_likelihood(study), {},
+               {nominal_fit(short_study_, far_likelihood(study)).values, study.rough_begins()});
     const double unit =
         std::max(size_of(study.left(rough.parameters, rough.values, rough.begins)), study.bench().sigma);
     found_.likelihood =
@@ -93,12 +95,22 @@ class Searcher {
       for (std::size_t k = 0; k < tasks.size(); ++k) {
         report((static_cast<double>(i) + static_cast<double>(k) / static_cast<double>(tasks.size())) /
                static_cast<double>(from.size()));
-        Hypothesis one = fitted(study_, *found_.likelihood, tasks[k].candidate, tasks[k].start);
+        Hypothesis one = from_afar(tasks[k]);
         if (std::isfinite(one.log_evidence())) level.push_back(std::move(one));
       }
     }
     std::sort(level.begin(), level.end(), more_evidence);
     return level;
+  }
+
+  /// A fit; of a row alone, whose numbers may be far from those without it, by way of short segments.
+  Hypothesis from_afar(const Task& task) const {
+    Start start = task.start;
+    if (task.candidate.rows.size() == 1)
+      start.values = fitted(short_study_, *found_.likelihood, task.candidate,
+                            {start.values, short_study_.rough_begins()})
+                         .values;
+    return fitted(study_, *found_.likelihood, task.candidate, std::move(start));
   }
 
   /// Every row beside the nominal model; the most promising ones beside a cause.
@@ -137,6 +149,7 @@ class Searcher {
   }
 
   const Study& study_;
+  const Study short_study_;
   Findings found_;
 };
 

@@ -9,8 +9,10 @@ from dataclasses import dataclass
 import mujoco
 import numpy
 
-STEP = 5e-4
+STEP = 2.5e-4
 GRAVITY = 9.81
+# Friction that holds, as dry friction does: MuJoCo's own creeps.
+RIGID = 'solreffriction="0.001 1" solimpfriction="0.9999 0.9999 0.001 0.5 2"'
 
 
 @dataclass
@@ -59,10 +61,10 @@ class Rig:
 def model_of(rig):
     mass = rig.mass * (1 + rig.extra_mass)
     size = rig.inertia * (1 + rig.extra_mass)
-    weight = f'<geom type="sphere" size="0.01" pos="0 0 {-rig.length}" mass="{mass}"/>'
+    weight = f'<inertial pos="0 0 {-rig.length}" mass="{mass}" diaginertia="1e-9 1e-9 1e-9"/>'  # a point
     if not rig.hangs:  # the same inertia about the axis, balanced
         weight = f'<inertial pos="0 0 0" mass="{mass}" diaginertia="{size} {size} {size}"/>'
-    rotor = f'armature="{rig.armature}" damping="{rig.damping}" frictionloss="{max(0, rig.dry)}"'
+    rotor = f'armature="{rig.armature}" damping="{rig.damping}" frictionloss="{max(0, rig.dry)}" {RIGID}'
     spring = f'stiffness="{rig.spring}"' if rig.spring else ""
     if rig.play == 0 and rig.gear_stiffness == math.inf:
         bodies = f'<body><joint name="motor" axis="0 1 0" {rotor} {spring}/>{weight}</body>'
@@ -86,13 +88,14 @@ class Servo:
 
     def __init__(self, rig, gain, first):
         self.rig, self.gain = rig, gain
+        # A torque of MuJoCo's step acts from half a step before it: the mean of two commands is as much late.
         self.past = [first] * (1 + round(rig.delay / STEP))
         self.reference, self.acting, self.last = first, None, None
 
     def torque(self, command, reading, t):
         rig = self.rig
         self.past.append(command)
-        late = self.past.pop(0)
+        late = (self.past.pop(0) + self.past[0]) / 2
         self.reference += max(-rig.speed_limit * STEP, min(rig.speed_limit * STEP, late - self.reference))
         error = (1 + rig.command_scale) * self.reference + rig.command_offset - reading
         error -= max(-rig.dead_band, min(rig.dead_band, error))
@@ -128,7 +131,7 @@ def follow(rig, gain, command, duration, rate, generator, quantum, sigma):
     geared = model.njnt == 2
     for k in range(round(duration / STEP)):
         t = k * STEP
-        joint = data.qpos[0] + (data.qpos[1] if geared else 0.0)
+        joint = sum(data.qpos)
         reading = joint / (1 + rig.encoder_scale)
         if k % every == 0:
             sent = command(t)
