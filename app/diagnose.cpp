@@ -16,6 +16,7 @@
 #include "app/progress.hpp"
 #include "app/verbs.hpp"
 #include "diagnose/calibration/calibration_text.hpp"
+#include "diagnose/change/change_plan.hpp"
 #include "diagnose/report/plan.hpp"
 #include "diagnose/report/report.hpp"
 #include "diagnose/screening/conventions.hpp"
@@ -28,8 +29,8 @@ namespace {
 
 struct DiagnoseOptions {
   std::vector<std::string> experiments;
-  std::string effects, model, corrected, json, html, reports, against;
-  bool next = false, as_is = false, plan = false, check = false;
+  std::string effects, model, corrected, json, html, reports, against, change;
+  bool next = false, as_is = false, plan = false, check = false, since = false;
 
   [[nodiscard]] ExperimentInput input() const {
     return {experiments.empty() ? "" : experiments.front(), model, effects};
@@ -43,6 +44,13 @@ void run_plan(const DiagnoseOptions& options, const CLI::App& verb) {
   Outputs outputs(verb, input.files());
   files::OutputFile* const json = outputs.open("--json", options.json);
   const diagnose::Experiment bench = study_of(input, read).experiment();
+  if (!options.change.empty()) {
+    const diagnose::ChangePlan plan = diagnose::plan_of_change(bench, options.change);
+    if (json) json->write(page::json_text(as_json(plan), outputs.provenance()));
+    outputs.commit();
+    if (options.json != "-") fmt::print("{}", as_text(plan));
+    return;
+  }
   const diagnose::Plan plan =
       with_progress("plan", [&](const auto& show) { return diagnose::plan(bench, show); });
   if (json) json->write(page::json_text(as_json(plan), outputs.provenance()));
@@ -130,18 +138,24 @@ void run_motion(const DiagnoseOptions& options, const CLI::App& verb) {
   for (const auto& [name, value] : {std::pair{"--model", options.model},
                                     {"--effects", options.effects},
                                     {"--corrected", options.corrected},
-                                    {"--html", options.html},
-                                    {"--against", options.against}})
+                                    {"--html", options.html}})
     if (!value.empty()) throw Error(name, "an experiment of motion", "a bench of loads or poses");
-  if (options.plan || options.next)
-    throw Error(options.plan ? "--plan" : "--next", "an experiment of motion", "a bench of loads or poses");
-  diagnose_motion(options.experiments.front(), options.json, verb);
+  if (options.plan || options.next || options.since)
+    throw Error(options.plan   ? "--plan"
+                : options.next ? "--next"
+                               : "--since",
+                "an experiment of motion", "a bench of loads or poses");
+  if (options.against.empty()) return diagnose_motion(options.experiments.front(), options.json, verb);
+  diagnose_motion_change({options.input(), options.against, options.json, "", options.check}, verb);
 }
 
 void run(const DiagnoseOptions& options, const CLI::App& verb) {
   if (options.experiments.size() == 1 && options.reports.empty() && is_motion(options.experiments.front()))
     return run_motion(options, verb);
   if (options.plan) return run_plan(options, verb);
+  if (options.since)
+    return diagnose_since({options.experiments, options.model, options.effects, options.json, options.html},
+                          verb);
   if (options.experiments.size() > 1 || !options.reports.empty()) return run_many(options, verb);
   if (options.against.empty()) return run_diagnosis(options, verb);
   diagnose_change({options.input(), options.against, options.json, options.html, options.check}, verb);
@@ -178,8 +192,12 @@ void add_diagnose(CLI::App& app) {
                           "Write a page with curves, residuals and the chain: one file, to print or send");
   auto* against = verb->add_option("--against", options->against,
                                    "What changed since: another data set of the same device, with the same "
-                                   "nominal model. What the model lacks in both cancels")
-                      ->type_name("FOLDER");
+                                   "nominal model. What the model lacks in both cancels. Or a state "
+                                   "that runs of this experiment name, against the other one")
+                      ->type_name("FOLDER|STATE");
+  auto* since = verb->add_flag("--since", options->since,
+                               "What changed since when: several experiments, or the states that runs of one "
+                               "name, in the order of time, each against the first");
   auto* check = verb->add_flag("--check", options->check,
                                "With --against: exit status 0 for no change, 1 for a change, 2 where the "
                                "readings cannot tell")
@@ -197,7 +215,14 @@ void add_diagnose(CLI::App& app) {
       "Before any data, from experiment.toml, whose runs may be without samples or hold commands "
       "alone: which effects the bench cannot detect, which it cannot distinguish, and the fewest "
       "runs that distinguish the rest");
-  for (CLI::Option* other : {corrected, html, reports, next, as_is, against}) plan->excludes(other);
+  verb->add_option(
+          "--change", options->change,
+          "With --plan: the fewest runs that, made once more, would show a change of this size, such as "
+          "joint_friction=0.05 or \"joint_stop(2)=0.3,2\"")
+      ->type_name("EFFECT=VALUES")
+      ->needs(plan);
+  for (CLI::Option* other : {corrected, html, reports, next, as_is, against, since}) plan->excludes(other);
+  for (CLI::Option* other : {corrected, reports, next, against, check}) since->excludes(other);
   for (CLI::Option* other : {corrected, next}) against->excludes(other);
   check->excludes(reports);
   verb->footer(

@@ -6,6 +6,7 @@
 #include "app/example_files.hpp"
 #include "diagnose/bench/decimate.hpp"
 #include "diagnose/bench/read_experiment.hpp"
+#include "diagnose/change/states.hpp"
 #include "diagnose/exchange/read_model.hpp"
 #include "diagnose/rig/user_effects/read_effects.hpp"
 #include "support/files/experiment_files.hpp"
@@ -41,7 +42,12 @@ diagnose::Experiment experiment_of(const ExperimentInput& input) {
   const diagnose::NominalChain* const nominal = model ? &*model : nullptr;
   if (input.folder.empty()) return diagnose::read_experiment(example_folder, example_file, nominal);
   exchange::ArmReader arms;
-  return arms.with_effects(diagnose::read_experiment(input.folder, nominal, arms.read()));
+  if (input.state.empty())
+    return arms.with_effects(diagnose::read_experiment(input.folder, nominal, arms.read()));
+  diagnose::Experiment experiment = arms.with_effects(diagnose::read_experiment(
+      input.folder, diagnose::settings_of(input.folder, input.state), nominal, arms.read()));
+  experiment.name = input.state;
+  return experiment;
 }
 
 diagnose::Experiment bench_of(const ExperimentInput& input) {

@@ -11,9 +11,10 @@
 namespace plumbline::app {
 
 struct ExperimentInput {
-  std::string folder;   ///< empty: the experiment in docs/examples/experiment
-  std::string model;    ///< file with the nominal model; empty: the experiment's own
-  std::string effects;  ///< file with user effects; or empty
+  std::string folder;      ///< empty: the experiment in docs/examples/experiment
+  std::string model;       ///< file with the nominal model; empty: the experiment's own
+  std::string effects;     ///< file with user effects; or empty
+  std::string state = {};  ///< of the device: its runs alone; empty: all runs are of one
 
   /// Every file that is read.
   [[nodiscard]] std::vector<std::filesystem::path> files() const;

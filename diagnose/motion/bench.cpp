@@ -9,9 +9,9 @@
 namespace plumbline::motion {
 namespace {
 
-/// Duration of a segment, and of the means of neighbouring readings: numbers of the method, s. A segment is
-/// long beside every delay, and short beside the time after which a small error owns the rest.
-constexpr double segment_duration = 2, mean_duration = 0.05;
+/// Duration of a segment: a number of the method, s. It is long beside every delay, and short beside the time
+/// after which a small error owns the rest.
+constexpr double segment_duration = 2;
 /// The angle at the begin of a segment is known to so many times the noise, its speed not at all: a parabola
 /// through readings follows no servo that catches its command.
 constexpr double begin_known = 10;
@@ -116,9 +116,13 @@ std::vector<SegmentMeans> Study::left(const std::vector<Parameter>& parameters,
   return all;
 }
 
-double error_of(const Drive<double>& drive, const MotionLog& log) {
+std::vector<double> predicted(const Drive<double>& drive, const MotionLog& log) {
   const InitialState begin = initial_state(log, 0);
-  const std::vector<double> angle = roll_out(drive, log, {0, 0, log.time.size()}, begin.q, begin.v);
+  return roll_out(drive, log, {0, 0, log.time.size()}, begin.q, begin.v);
+}
+
+double error_of(const Drive<double>& drive, const MotionLog& log) {
+  const std::vector<double> angle = predicted(drive, log);
   double sum = 0;
   for (std::size_t k = 0; k < angle.size(); ++k) sum += std::abs(angle[k] - log.position[k]);
   return sum / static_cast<double>(angle.size());

@@ -70,6 +70,12 @@ class Study {
 /// Most parameters of a hypothesis; so many derivatives are carried through a roll-out.
 inline constexpr std::size_t most_parameters = 14;
 
+/// Duration of the means of neighbouring readings, s.
+inline constexpr double mean_duration = 0.05;
+
+/// The positions at the readings of a log that is rolled out whole from its first reading, rad.
+std::vector<double> predicted(const Drive<double>& drive, const MotionLog& log);
+
 /// Mean of |predicted - measured| over a log that is rolled out whole from its first reading, rad.
 double error_of(const Drive<double>& drive, const MotionLog& log);
 
