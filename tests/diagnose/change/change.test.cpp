@@ -111,6 +111,14 @@ TEST_CASE("two data sets of one device show no change, though its model lacks an
   CHECK(check(change) == Check::same);
 }
 
+TEST_CASE("a check says 0, 1 and 2 on either side of its limits") {
+  CHECK(static_cast<int>(check_of(check_is_sure / 2)) == 0);
+  CHECK(static_cast<int>(check_of(1 - check_is_sure / 2)) == 1);
+  CHECK(static_cast<int>(check_of(0.5)) == 2);
+}
+
+TEST_SUITE_BEGIN("long");
+
 TEST_CASE("an effect that came is there now, and one that went was there before: the other way round") {
   Candidate both = lack;
   both.effects.push_back(friction.effects.front());
@@ -134,14 +142,6 @@ TEST_CASE("an effect that came is there now, and one that went was there before:
   CHECK(as_text(came).find("dry friction in the joints, there now and not before") != std::string::npos);
   CHECK(as_json(went)["against"]["sense"] == "removed");
 }
-
-TEST_CASE("a check says 0, 1 and 2 on either side of its limits") {
-  CHECK(static_cast<int>(check_of(check_is_sure / 2)) == 0);
-  CHECK(static_cast<int>(check_of(1 - check_is_sure / 2)) == 1);
-  CHECK(static_cast<int>(check_of(0.5)) == 2);
-}
-
-TEST_SUITE_BEGIN("long");
 
 TEST_CASE("a stiffer end that came is no softer one that went: the state before needs the simpler model") {
   const Candidate stop = only("joint_stop", 2);
