@@ -15,13 +15,11 @@
 #include "app/outputs.hpp"
 #include "app/progress.hpp"
 #include "app/verbs.hpp"
-#include "diagnose/calibration/calibration_text.hpp"
+#include "diagnose/calibration/calibration.hpp"
 #include "diagnose/report/plan.hpp"
 #include "diagnose/report/report.hpp"
 #include "diagnose/screening/conventions.hpp"
 #include "support/files/experiment_files.hpp"
-#include "support/files/text_file.hpp"
-#include "support/files/toml_file.hpp"
 
 namespace plumbline::app {
 namespace {
@@ -75,29 +73,6 @@ const char* nothing_next(const diagnose::Diagnosis& diagnosis) {
   return "What next?  No feasible run distinguishes the explanations\n";
 }
 
-/// Whether nothing is known of where the tracker stands, and where its points sit on the arm.
-bool has_unknown_frames(const ExperimentInput& input) {
-  if (input.folder.empty()) return false;
-  const std::string settings = (std::filesystem::path(input.folder) / "experiment.toml").string();
-  const toml::table table = files::parse_toml(files::read_text(settings), settings);
-  return table["arm"]["frames"].value<std::string>() == "unknown";
-}
-
-/// The models with what was found; of a calibrated arm with its calibration too, whether a cause is named or
-/// not.
-std::vector<exchange::Corrected> corrected_by(const diagnose::Study& study,
-                                              const diagnose::Diagnosis& diagnosis,
-                                              const std::optional<diagnose::Calibration>& calibration,
-                                              const std::filesystem::path& source) {
-  if (!calibration) return exchange::corrected_models(study, diagnosis, source);
-  const bool named = diagnosis.cause.is_explained();
-  std::vector<exchange::Corrected> models =
-      exchange::corrected_models(named ? study : study.of(calibration->with_all()), diagnosis, source);
-  for (exchange::Corrected& one : models)
-    one.model.title += " The nominal model is the calibrated one: every joint is corrected.";
-  return models;
-}
-
 void run_diagnosis(const DiagnoseOptions& options, const CLI::App& verb) {
   const ExperimentInput input = options.input();
   const diagnose::Experiment experiment = experiment_of(input);
@@ -106,23 +81,19 @@ void run_diagnosis(const DiagnoseOptions& options, const CLI::App& verb) {
                                                                             "--html", options.html);
   CorrectedFiles corrected(outputs, options.corrected);
   const diagnose::Study read = study_of(input, experiment);
-  const std::optional<diagnose::Calibration> calibration =
-      has_unknown_frames(input) ? diagnose::calibrated(read) : std::nullopt;
-  if (!options.as_is && !calibration) require_conventions(read);
-  const diagnose::Study study = calibration ? read.of(calibration->experiment) : read;
+  if (!options.as_is) require_conventions(read);
+  const diagnose::Study study = diagnose::calibrated(read);
   const diagnose::Diagnosis diagnosis = with_progress(
       "diagnosis", [&](const auto& show) { return diagnose::diagnose(study, show, options.next); });
-  if (corrected.wanted()) corrected.write(corrected_by(study, diagnosis, calibration, model_file(input)));
+  if (corrected.wanted()) corrected.write(exchange::corrected_models(study, diagnosis, model_file(input)));
   nlohmann::ordered_json report = as_json(diagnosis);
-  if (calibration) report["calibration"] = calibration_as_json(*calibration);
   if (corrected.wanted()) report["corrected"] = corrected.as_json();
   const page::Provenance& from = outputs.provenance();
   if (json) json->write(page::json_text(std::move(report), from));
   if (html) html->write(page::on_page(diagnose::as_html(study, diagnosis), from));
   outputs.commit();
   if (options.json == "-" || options.html == "-") return;
-  fmt::print("{}{}{}", as_text(diagnosis), calibration ? "\n" + calibration_as_text(*calibration) : "",
-             corrected.as_text());
+  fmt::print("{}{}", as_text(diagnosis), corrected.as_text());
   if (options.next && diagnosis.proposals.empty()) fmt::print("\n{}", nothing_next(diagnosis));
 }
 

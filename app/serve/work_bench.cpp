@@ -8,6 +8,7 @@
 #include "app/command.hpp"
 #include "app/example_files.hpp"
 #include "app/experiment_input.hpp"
+#include "diagnose/calibration/calibration.hpp"
 #include "diagnose/draft/told_columns.hpp"
 #include "diagnose/exchange/corrected.hpp"
 #include "diagnose/report/report.hpp"
@@ -157,8 +158,9 @@ void WorkBench::diagnose(bool as_is, const std::stop_token& stop) {
   try {
     const ExperimentInput input{place_->path().string(), "", ""};
     const diagnose::Experiment experiment = experiment_of(input);
-    const diagnose::Study study = study_of(input, experiment);
-    if (!as_is) require_conventions(study);
+    const diagnose::Study read = study_of(input, experiment);
+    if (!as_is) require_conventions(read);
+    const diagnose::Study study = calibrated(read);
     const diagnose::Diagnosis found = diagnose::diagnose(study, [&](double share) {
       if (stop.stop_requested()) throw Cancelled();
       share_ = share;

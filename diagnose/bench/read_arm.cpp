@@ -145,8 +145,8 @@ ReadArmBench read_arm(const Section& section, const ReadArm& read) {
   result.bench.points = read_points(section, nominal);
   result.bench.load = section.has("load") ? on_body(section.table("load"), nominal)
                                           : OnLink<double>{nominal.arm.size() - 1, nominal.arm.tip};
-  // Calibration asks for it, behind this reader.
-  if (section.has("frames")) static_cast<void>(section.one_of("frames", {"known", "unknown"}));
+  if (section.has("frames") && section.one_of("frames", {"known", "unknown"}) == "unknown")
+    result.bench.frames = ArmBench::Frames::unknown;
   if (section.has("encoder")) result.motor_side = section.one_of("encoder", {"link", "motor"}) == "motor";
   return result;
 }

@@ -6,6 +6,7 @@
 
 #include "diagnose/bench/decimate.hpp"
 #include "diagnose/bench/read_experiment.hpp"
+#include "diagnose/calibration/calibration.hpp"
 #include "diagnose/exchange/corrected.hpp"
 #include "diagnose/exchange/read_model.hpp"
 #include "diagnose/report/plan.hpp"
@@ -213,9 +214,9 @@ class Diagnosed {
  private:
   static std::unique_ptr<Study> study_of(Experiment experiment, const Wish& wish) {
     const py::gil_scoped_release released;
-    auto study = std::make_unique<Study>(study_with(std::move(experiment), wish.effects));
-    if (!wish.as_is) require_conventions(*study);
-    return study;
+    const Study study = study_with(std::move(experiment), wish.effects);
+    if (!wish.as_is) require_conventions(study);
+    return std::make_unique<Study>(calibrated(study));
   }
 
   page::Provenance from_;
