@@ -12,8 +12,9 @@ constexpr Way springref{true, "as the angles at which the springs are at ease"};
 constexpr Way rest_shape{true,
                          "as the angles at which the springs are at ease, in the rest shape of the file"};
 constexpr Way body_places{true, "as the places of the bodies", true};
-constexpr Way masses{true, "as masses and gravity", true};
-constexpr Way payload{true, "as masses and gravity"};
+constexpr Way masses{true, "as masses and gravity", true, true};
+constexpr Way scaled_masses{true, "as masses and gravity", true};
+constexpr Way payload{true, "as masses and gravity", false, true};
 constexpr Way base_slides{true, "as slides on springs under the base"};
 constexpr Way base_slide{true, "as a slide on a spring under the base, which answers the same"};
 constexpr Way two_hinges{true, "as two hinges in series, one of them with a range"};
@@ -70,7 +71,7 @@ const std::map<std::string_view, Way>& everywhere() {
                                                    {"length_scale", body_places},
                                                    {"length_spread", body_places},
                                                    {"gravity", masses},
-                                                   {"mass_scale", masses},
+                                                   {"mass_scale", scaled_masses},
                                                    {"tip_payload", payload},
                                                    {"base_compliance", base_slides},
                                                    {"train_compliance", base_slide},
@@ -141,8 +142,8 @@ Way without_coupling(Format format, std::string_view effect) {
 }  // namespace
 
 bool adds_weight(std::string_view effect) {
-  const std::string_view id = effect.substr(0, effect.find('('));
-  return id == "gravity" || id == "tip_payload" || id == "link_mass";
+  const auto found = everywhere().find(effect.substr(0, effect.find('(')));
+  return found != everywhere().end() && found->second.weighs;
 }
 
 Way way_of(Format format, const diagnose::NominalEffect& effect) {
