@@ -25,9 +25,10 @@ std::size_t distance(std::string_view a, std::string_view b) {
 
 std::string nearest(std::string_view word, const std::vector<std::string>& known) {
   constexpr std::size_t longest = 100;  // the table of distances is as long as both words
-  if (word.size() > longest) return "";
+  if (word.empty() || word.size() > longest) return "";
   std::string best;
-  std::size_t least = std::max<std::size_t>(1, word.size() / 3) + 1;
+  // a letter of the word remains at least
+  std::size_t least = std::min(std::max<std::size_t>(1, word.size() / 3), word.size() - 1) + 1;
   for (const std::string& one : known)
     if (const std::size_t off = distance(word, one); off < least) least = off, best = one;
   return best;

@@ -9,7 +9,7 @@
 namespace plumbline::files {
 
 /// By the fewest letters that are put in, left out, replaced, or swapped with their neighbour (Damerau 1964,
-/// each letter changed once); empty where that is more than a third of the word.
+/// each letter changed once); empty where that is more than a third of the word, or all of it.
 std::string nearest(std::string_view word, const std::vector<std::string>& known);
 
 /// What is expected instead of a word: the nearest known one first, then all: "diagnose, or one of check

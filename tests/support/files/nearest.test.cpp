@@ -13,6 +13,7 @@ TEST_CASE("a mistyped word has its nearest known one, a strange word none") {
   CHECK(nearest("crtiicl", verbs) == "critical");
   CHECK(nearest("nwe", verbs) == "new");
   CHECK(nearest("buckle", verbs) == "");
+  CHECK(nearest("x", {"q", "t"}) == "");  // of which nothing remains
   CHECK(expected_word("pth", verbs) == "path, or one of critical diagnose draft new path");
   CHECK(expected_word("buckle", verbs) == "one of critical diagnose draft new path");
 }
