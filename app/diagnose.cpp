@@ -92,21 +92,33 @@ void run_diagnosis(const DiagnoseOptions& options, const CLI::App& verb) {
     fmt::print("\n{}", nothing_next(report.diagnosis()));
 }
 
-void run_motion(const DiagnoseOptions& options, const CLI::App& verb) {
-  for (const auto& [name, value] : {std::pair{"--model", options.model},
-                                    {"--effects", options.effects},
-                                    {"--corrected", options.corrected},
-                                    {"--html", options.html},
-                                    {"--against", options.against}})
+/// Options that an experiment of motion does not take, and whatever of `others` it does not take either.
+void refuse_for_motion(const DiagnoseOptions& options,
+                       std::vector<std::pair<const char*, std::string>> others) {
+  others.insert(others.end(),
+                {{"--model", options.model}, {"--effects", options.effects}, {"--against", options.against}});
+  for (const auto& [name, value] : others)
     if (!value.empty()) throw Error(name, "an experiment of motion", "a bench of loads or poses");
   if (options.plan || options.next)
     throw Error(options.plan ? "--plan" : "--next", "an experiment of motion", "a bench of loads or poses");
-  diagnose_motion(options.experiments.front(), options.json, verb);
+}
+
+void run_motion(const DiagnoseOptions& options, const CLI::App& verb) {
+  refuse_for_motion(options, {});
+  diagnose_motion(options.experiments.front(), {options.json, options.html, options.corrected}, verb);
+}
+
+void run_torques(const DiagnoseOptions& options, const CLI::App& verb) {
+  refuse_for_motion(options, {{"--html", options.html}, {"--corrected", options.corrected}});
+  balance_torques(options.experiments.front(), options.json, verb);
 }
 
 void run(const DiagnoseOptions& options, const CLI::App& verb) {
   if (options.experiments.size() == 1 && options.reports.empty() && is_motion(options.experiments.front()))
     return run_motion(options, verb);
+  if (options.experiments.size() == 1 && options.reports.empty() &&
+      is_of_torques(options.experiments.front()))
+    return run_torques(options, verb);
   if (options.plan) return run_plan(options, verb);
   if (options.experiments.size() > 1 || !options.reports.empty()) return run_many(options, verb);
   if (options.against.empty()) return run_diagnosis(options, verb);

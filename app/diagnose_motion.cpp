@@ -6,20 +6,52 @@
 
 #include "app/outputs.hpp"
 #include "app/progress.hpp"
+#include "diagnose/motion/balance/balance_report.hpp"
+#include "diagnose/motion/corrected_joint.hpp"
+#include "diagnose/motion/page.hpp"
 #include "diagnose/motion/read_bench.hpp"
 #include "diagnose/motion/report.hpp"
 
 namespace plumbline::app {
 
-bool is_motion(const std::string& folder) {
+namespace {
+
+bool has_settings(const std::string& folder) {
   return !folder.empty() &&
-         std::filesystem::is_regular_file(std::filesystem::path(folder) / "experiment.toml") &&
-         motion::is_motion(folder);
+         std::filesystem::is_regular_file(std::filesystem::path(folder) / "experiment.toml");
 }
 
-void diagnose_motion(const std::string& folder, const std::string& json, const CLI::App& verb) {
+std::string words_of(const std::vector<exchange::Carried>& effects, const std::string& path) {
+  std::string text = fmt::format("\nCorrected model: {}\n", path);
+  for (const exchange::Carried& one : effects)
+    text += fmt::format("  {}{}: {}\n", one.carried ? "" : "not carried: ", one.effect, one.how);
+  return text;
+}
+
+}  // namespace
+
+bool is_motion(const std::string& folder) {
+  return has_settings(folder) && motion::is_motion(folder);
+}
+
+bool is_of_torques(const std::string& folder) {
+  return has_settings(folder) && motion::is_torque_bench(folder);
+}
+
+void balance_torques(const std::string& folder, const std::string& json, const CLI::App& verb) {
   Outputs outputs(verb, {std::filesystem::path(folder) / "experiment.toml"});
   files::OutputFile* const file = outputs.open("--json", json);
+  const motion::Balance balance = motion::balance_of(motion::read_torque_bench(folder));
+  if (file) file->write(page::json_text(as_json(balance), outputs.provenance()));
+  outputs.commit();
+  if (json != "-") fmt::print("{}", as_text(balance));
+}
+
+void diagnose_motion(const std::string& folder, const MotionFiles& files, const CLI::App& verb) {
+  Outputs outputs(verb, {std::filesystem::path(folder) / "experiment.toml"});
+  files::OutputFile *const json = outputs.open("--json", files.json),
+                           *const html = outputs.open("--html", files.html),
+                           *const model = outputs.open("--corrected", files.corrected);
   const motion::Study study(motion::read_bench(folder));
   constexpr std::size_t steps = 100;
   Progress progress("diagnosis", steps);
@@ -27,9 +59,16 @@ void diagnose_motion(const std::string& folder, const std::string& json, const C
   const motion::Diagnosis diagnosis = motion::diagnose_motion(study, [&](double share) {
     for (; shown < static_cast<std::size_t>(share * steps); ++shown) progress.advance();
   });
-  if (file) file->write(page::json_text(as_json(diagnosis), outputs.provenance()));
+  exchange::Written written;
+  if (model) {
+    written = motion::corrected_joint(study.bench(), diagnosis, files.corrected);
+    model->write(written.text);
+  }
+  if (json) json->write(page::json_text(as_json(diagnosis), outputs.provenance()));
+  if (html) html->write(page::on_page(as_html(study.bench(), diagnosis), outputs.provenance()));
   outputs.commit();
-  if (json != "-") fmt::print("{}", as_text(diagnosis));
+  if (files.json != "-" && files.html != "-")
+    fmt::print("{}{}", as_text(diagnosis), model ? words_of(written.effects, files.corrected) : "");
 }
 
 }  // namespace plumbline::app

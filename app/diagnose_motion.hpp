@@ -10,7 +10,17 @@ namespace plumbline::app {
 /// Whether the folder holds an experiment of motion.
 bool is_motion(const std::string& folder);
 
+/// Files of the report; empty for none.
+struct MotionFiles {
+  std::string json, html, corrected;  ///< the last: the model of the joint with what was found
+};
+
+void diagnose_motion(const std::string& folder, const MotionFiles& files, const CLI::App& verb);
+
+/// Whether the folder holds logs of an arm's torques.
+bool is_of_torques(const std::string& folder);
+
 /// \param json  file for the report as JSON; or empty
-void diagnose_motion(const std::string& folder, const std::string& json, const CLI::App& verb);
+void balance_torques(const std::string& folder, const std::string& json, const CLI::App& verb);
 
 }  // namespace plumbline::app

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
 /// Every opinion of the diagnosis, in one table: prior probabilities and scales, losses.
-/// docs/how-it-decides.md says what each is for. Numerical tolerances stand where they are used.
+/// docs/how-it-decides.md says what each is for. The prior of sizes is a law, in inference/size_prior.hpp.
 
 #include <array>
 

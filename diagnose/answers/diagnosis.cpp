@@ -104,10 +104,14 @@ void look_for_parts(const Study& study, const Findings& findings, const Posterio
     std::optional<InPart> found = in_part(study, findings, posterior, diagnosis.noise);
     if (!found) return;
     cause.verdict = CauseVerdict::partial;
-    cause.named = 1;
+    cause.named = found->causes.size();
     cause.rest = std::move(found->rest);
-    std::erase_if(cause.ranking, [&](const RankedCause& one) { return one.cause == found->cause.cause; });
-    cause.ranking.insert(cause.ranking.begin(), std::move(found->cause));
+    std::erase_if(cause.ranking, [&](const RankedCause& one) {
+      return std::any_of(found->causes.begin(), found->causes.end(),
+                         [&](const RankedCause& part) { return part.cause == one.cause; });
+    });
+    cause.ranking.insert(cause.ranking.begin(), std::make_move_iterator(found->causes.begin()),
+                         std::make_move_iterator(found->causes.end()));
     diagnosis.shrink = found->shrink;
   }
 }

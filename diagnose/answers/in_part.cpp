@@ -11,40 +11,55 @@
 namespace plumbline::diagnose {
 namespace {
 
-/// The leading hypothesis with the effects that are part of the cause, whichever else acts; no effect where
-/// none is.
-Instance certain_part(const Study& study, const Findings& findings, const Posterior& posterior) {
-  if (posterior.leading == Way::none) return {};
-  const Hypothesis& leading = findings.hypotheses[posterior.leading];
-  return part(study, leading.candidate, leading.parameters, [&](const EffectAt& at) {
-    const auto found = posterior.effects.find(at.label());
-    return !at.effect->outside && found != posterior.effects.end() && found->second >= priors::part_of_it;
-  });
+double probability_of(const Posterior& posterior, const EffectAt& at) {
+  const auto found = posterior.effects.find(at.label());
+  return found == posterior.effects.end() ? 0 : found->second;
 }
 
-double least_probability(const Posterior& posterior, const Candidate& candidate) {
+/// The most probable hypothesis that holds an effect, without what is not surely part of the cause.
+std::optional<RankedCause> part_with(const Study& study, const Findings& findings, const Posterior& posterior,
+                                     const NoiseEstimate& noise, const std::string& label) {
+  const auto holds = [&](const Hypothesis& h) {
+    return std::any_of(h.candidate.effects.begin(), h.candidate.effects.end(), [&](const EffectAt& at) {
+      return at.label() == label && !h.candidate.has_as_tolerance(at);
+    });
+  };
+  const auto best = std::find_if(findings.hypotheses.begin(), findings.hypotheses.end(), holds);
+  if (best == findings.hypotheses.end()) return std::nullopt;
+  const Instance sure = part(study, best->candidate, best->parameters, [&](const EffectAt& at) {
+    return !at.effect->outside &&
+           (at.label() == label || probability_of(posterior, at) >= priors::part_of_it);
+  });
+  Hypothesis fitted =
+      maximised(study, *findings.likelihood, sure.candidate, sure.parameters, Effort{6, 0.03});
+  if (!fitted.converged) return std::nullopt;
   double least = 1;
-  for (const EffectAt& at : candidate.effects) least = std::min(least, posterior.effects.at(at.label()));
-  return least;
+  for (const EffectAt& at : sure.candidate.effects) least = std::min(least, probability_of(posterior, at));
+  const double chi2 = chi2_per_value(study, noise, fitted.residual);
+  return RankedCause{std::move(fitted), sure.candidate, least, chi2};
 }
 
 }  // namespace
 
 std::optional<InPart> in_part(const Study& study, const Findings& findings, const Posterior& posterior,
                               const NoiseEstimate& noise) {
-  const Instance certain = certain_part(study, findings, posterior);
-  if (certain.candidate.effects.empty()) return std::nullopt;
-  Hypothesis fitted =
-      maximised(study, *findings.likelihood, certain.candidate, certain.parameters, Effort{6, 0.03});
-  if (!fitted.converged) return std::nullopt;
-  const std::optional<Shrink> shrink = cross_validated(study, findings, noise, fitted);
-  if (!shrink || !shrink->tested() || shrink->ratio_high >= 1) return std::nullopt;
-  const std::optional<Shrink> smooth = smooth_forecast(study, noise);
-  if (smooth && smooth->ratio <= shrink->ratio) return std::nullopt;
-  const double chi2 = chi2_per_value(study, noise, fitted.residual);
-  return InPart{{std::move(fitted), certain.candidate, least_probability(posterior, certain.candidate), chi2},
-                {shrink->ratio, shrink->noise_floor_ratio, "the rest is outside the catalogue"},
-                shrink};
+  InPart found;
+  for (const std::string& label : posterior.surely_part)
+    if (std::optional<RankedCause> one = part_with(study, findings, posterior, noise, label))
+      found.causes.push_back(*std::move(one));
+  if (found.causes.empty()) return std::nullopt;
+  const Hypothesis& first = found.causes.front().hypothesis;
+  const std::optional<Shrink> gain = gain_over_smooth(study, findings, noise, first);
+  if (!gain || gain->ratio_high >= 1) return std::nullopt;
+  found.shrink = cross_validated(study, findings, noise, first);
+  found.rest.why = fmt::format(
+      "beside a smooth function of the command it leaves {:.0f} % of what that function alone leaves of "
+      "unseen "
+      "readings; the rest is outside the catalogue",
+      100 * gain->ratio);
+  if (found.shrink)
+    found.rest.share = found.shrink->ratio, found.rest.noise_floor = found.shrink->noise_floor_ratio;
+  return found;
 }
 
 std::optional<Rest> rest_of(const RankedCause& cause, const NoiseEstimate& noise,

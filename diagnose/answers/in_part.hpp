@@ -10,16 +10,16 @@
 
 namespace plumbline::diagnose {
 
-/// A partial cause and how far it shrinks the gap.
+/// A partial cause, one of these, and how far the first shrinks the gap.
 struct InPart {
-  RankedCause cause;
+  std::vector<RankedCause> causes;
   Rest rest;
   std::optional<Shrink> shrink;
 };
 
-/// Where the cause is unknown: the effects that are part of it with `priors::part_of_it` or more, whichever
-/// else acts. They have to predict readings that they have not seen, and better than a smooth function of the
-/// command does.
+/// Where the cause is unknown: the effects of which one is surely part of it, whichever else acts
+/// (Posterior::surely_part). Beside a smooth function of the command the first has to say surely more of
+/// readings that its fit has not seen than that function alone does.
 std::optional<InPart> in_part(const Study& study, const Findings& findings, const Posterior& posterior,
                               const NoiseEstimate& noise);
 

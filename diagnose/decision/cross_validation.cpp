@@ -62,51 +62,55 @@ double mean_square(const Study& study, const HeldOut& part, const VectorXd& resi
 }  // namespace
 
 std::optional<Shrink> cross_validated(const Study& study, const NoiseEstimate& noise,
-                                      const LeftUnseen& left_unseen) {
+                                      const LeftUnseen& left_unseen, const LeftUnseen& left_before) {
+  const VectorXd nominal = study.nominal_residual();
   std::optional<Shrink> first;
   for (const auto& parts : {run_parts(study.experiment()), block_parts(study.experiment())}) {
-    std::vector<std::optional<VectorXd>> left(parts.size());
+    std::vector<std::optional<VectorXd>> before(parts.size()), left(parts.size());
     in_parallel(parts.size(), study.threads(), [&](std::size_t p) {
       const Study seen = study.of(without(study.experiment(), parts[p]));
-      left[p] =
-          left_unseen(seen, noise_of(noise, study.measurements(), parts[p], seen.measurements()), parts[p]);
+      const NoiseEstimate noise_seen = noise_of(noise, study.measurements(), parts[p], seen.measurements());
+      left[p] = left_unseen(seen, noise_seen, parts[p]);
+      if (left[p]) before[p] = left_before ? left_before(seen, noise_seen, parts[p]) : nominal;
     });
     HeldOut all = nothing_held(study.experiment());
-    VectorXd after = study.nominal_residual();
+    VectorXd was = nominal, is = nominal;
     for (std::size_t p = 0; p < parts.size(); ++p) {
-      if (!left[p]) continue;
+      if (!before[p]) continue;
       const std::vector<bool> held = heldout_values(study.measurements(), parts[p]);
       for (std::size_t i = 0; i < held.size(); ++i)
-        if (held[i]) after(static_cast<Eigen::Index>(i)) = (*left[p])(static_cast<Eigen::Index>(i));
+        if (const auto k = static_cast<Eigen::Index>(i); held[i])
+          was(k) = (*before[p])(k), is(k) = (*left[p])(k);
       add(parts[p], all);
     }
     if (all.empty()) continue;
-    const Shrink found = measure_shrink(study.measurements(), all, study.nominal_residual(), after, noise);
+    const Shrink found = measure_shrink(study.measurements(), all, was, is, noise);
     if (found.tested()) return found;
     if (!first) first = found;
   }
   return first;
 }
 
+LeftUnseen left_by(const Study& study, const Findings& findings, const Hypothesis& hypothesis) {
+  return [&](const Study& seen, const NoiseEstimate& noise, const HeldOut& part) -> std::optional<VectorXd> {
+    constexpr Effort effort{6, 0.03};
+    const CommandStates states(seen.experiment());
+    const Likelihood likelihood(seen.measurements(), states, findings.likelihood->priors(), noise.shape,
+                                seen.nominal_residual());
+    const Hypothesis fitted =
+        maximised(seen, likelihood, hypothesis.candidate, hypothesis.parameters, effort);
+    if (!fitted.converged) return std::nullopt;
+    const Prediction predicted = predict(study, fitted.candidate, fitted.parameters, true);
+    if (!predicted.reached || uncertainty(study, part, predicted, covariance(seen, fitted)) >
+                                  mean_square(study, part, study.nominal_residual()))
+      return std::nullopt;
+    return study.residual(predicted);
+  };
+}
+
 std::optional<Shrink> cross_validated(const Study& study, const Findings& findings,
                                       const NoiseEstimate& noise, const Hypothesis& hypothesis) {
-  constexpr Effort effort{6, 0.03};
-  return cross_validated(
-      study, noise,
-      [&](const Study& seen, const NoiseEstimate& noise_seen,
-          const HeldOut& part) -> std::optional<VectorXd> {
-        const CommandStates states(seen.experiment());
-        const Likelihood likelihood(seen.measurements(), states, findings.likelihood->priors(),
-                                    noise_seen.shape, seen.nominal_residual());
-        const Hypothesis fitted =
-            maximised(seen, likelihood, hypothesis.candidate, hypothesis.parameters, effort);
-        if (!fitted.converged) return std::nullopt;
-        const Prediction predicted = predict(study, fitted.candidate, fitted.parameters, true);
-        if (!predicted.reached || uncertainty(study, part, predicted, covariance(seen, fitted)) >
-                                      mean_square(study, part, study.nominal_residual()))
-          return std::nullopt;
-        return study.residual(predicted);
-      });
+  return cross_validated(study, noise, left_by(study, findings, hypothesis));
 }
 
 }  // namespace plumbline::diagnose

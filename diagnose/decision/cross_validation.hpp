@@ -15,12 +15,16 @@ namespace plumbline::diagnose {
 using LeftUnseen = std::function<std::optional<VectorXd>(const Study& seen, const NoiseEstimate& noise,
                                                          const HeldOut& part)>;
 
-/// Runs are held out in turn, else blocks of readings: of these two ways the first whose readings carry the
-/// gap. Nothing where too little can be held out.
-std::optional<Shrink> cross_validated(const Study& study, const NoiseEstimate& noise,
-                                      const LeftUnseen& left_unseen);
+/// What a hypothesis leaves. A part of which its own uncertainty is larger than the gap there is no test.
+LeftUnseen left_by(const Study& study, const Findings& findings, const Hypothesis& hypothesis);
 
-/// The same for a hypothesis. A part of which its own uncertainty is larger than the gap there is no test.
+/// How far a model shrinks what another leaves, or the nominal one. Runs are held out in turn, else blocks of
+/// readings: of these two ways the first whose readings carry more than noise. Nothing where too little can
+/// be held out.
+std::optional<Shrink> cross_validated(const Study& study, const NoiseEstimate& noise,
+                                      const LeftUnseen& left_unseen, const LeftUnseen& left_before = {});
+
+/// How far a hypothesis shrinks what the nominal model leaves.
 std::optional<Shrink> cross_validated(const Study& study, const Findings& findings,
                                       const NoiseEstimate& noise, const Hypothesis& hypothesis);
 

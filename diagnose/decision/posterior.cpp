@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <plumbline/base/parallel.hpp>
 
 #include "diagnose/inference/prior.hpp"
@@ -26,6 +27,12 @@ Labels labels_of(const Candidate& candidate) {
   if (labels.empty()) labels = tolerances;
   std::sort(labels.begin(), labels.end());
   return labels;
+}
+
+bool is_tolerances_alone(const Candidate& candidate) {
+  return std::all_of(candidate.effects.begin(), candidate.effects.end(), [&](const EffectAt& at) {
+    return at.effect->outside || candidate.has_as_tolerance(at);
+  });
 }
 
 /// Log odds of a cause in the catalogue over one outside, where so much of the nominal residual is left to
@@ -55,7 +62,12 @@ void add_listed(std::vector<Way>& all, const Findings& findings, std::size_t i, 
                    expected(one.look.log_by_amplitude, log_amplitude, one.look.discrepancy)});
   };
   add(Way::Of::listed, 1 - priors::outside, priors.log_amplitude);
-  add(Way::Of::outside, priors::outside, priors.log_amplitude_outside);
+  // A cause outside that these effects imitate leaves some of it.
+  std::vector<double> imitated = priors.log_amplitude;
+  for (std::size_t a = 0; a < imitated.size(); ++a)
+    imitated[a] -= priors.amplitude[a] > 0 ? priors.log_odds_of_listed(priors.amplitude[a])
+                                           : std::numeric_limits<double>::infinity();
+  add(Way::Of::outside, priors::outside, imitated);
   for (const OutsideRow& row : outside_rows) {
     const std::unique_ptr<OutsideCause> kind = row.make();
     if (!kind->stands_beside()) continue;
@@ -97,6 +109,30 @@ bool leaves_nothing(const Findings& findings, const Hypothesis& one) {
       log_posterior(one.look.log_by_amplitude, findings.likelihood->priors().log_amplitude);
   return std::exp(size.front()) > 0.5 &&
          sum <= priors::scatter * priors::scatter * static_cast<double>(outlier.size());
+}
+
+/// The effects of a hypothesis, and its probability.
+struct Holding {
+  Labels labels;
+  double probability;
+};
+
+/// Posterior::surely_part: the effect that most of what is left holds, one after the other.
+Labels surely_part(std::vector<Holding> left) {
+  Labels chosen;
+  for (double held = 0; held < priors::part_of_it;) {
+    std::map<std::string, double> sum;
+    for (const Holding& one : left)
+      for (const std::string& label : one.labels) sum[label] += one.probability;
+    const auto most = std::max_element(sum.begin(), sum.end(),
+                                       [](const auto& a, const auto& b) { return a.second < b.second; });
+    if (most == sum.end() || most->second * priors::wrong_over_further_name < 1) return {};
+    chosen.push_back(most->first), held += most->second;
+    std::erase_if(left, [&](const Holding& one) {
+      return std::find(one.labels.begin(), one.labels.end(), chosen.back()) != one.labels.end();
+    });
+  }
+  return chosen;
 }
 
 }  // namespace
@@ -167,12 +203,15 @@ Posterior posterior(const Study& study, const Findings& findings) {
   result.temper = 1 - discrepancy * (1 - priors::temper);
   const std::vector<double> weight = log_weights(gaps, result.temper);
   std::map<Labels, CauseProbability> causes;
+  std::vector<Holding> holding;
   double most = 0;
   for (std::size_t i = 0; i < gaps.size(); ++i) {
     const double p = (1 - result.no_gap) * std::exp(weight[i]);
     if (gaps[i].of == Way::Of::outside) result.outside += p;
     if (gaps[i].hypothesis == Way::none) continue;
-    const Labels labels = labels_of(findings.hypotheses[gaps[i].hypothesis].candidate);
+    const Candidate& candidate = findings.hypotheses[gaps[i].hypothesis].candidate;
+    const Labels labels = labels_of(candidate);
+    if (!is_tolerances_alone(candidate)) holding.push_back({labels, p});
     for (const std::string& label : labels) result.effects[label] += p;
     if (!labels.empty() && p > most) most = p, result.leading = gaps[i].hypothesis;
     // Hypotheses stand in the order of their evidence: the first form is the most probable.
@@ -180,6 +219,7 @@ Posterior posterior(const Study& study, const Findings& findings) {
       causes.try_emplace(labels, CauseProbability{labels, 0, gaps[i].hypothesis}).first->second.probability +=
           p;
   }
+  result.surely_part = surely_part(std::move(holding));
   for (auto& [label, probability] : result.effects) probability = std::min(1.0, probability);  // likewise
   for (auto& [labels, cause] : causes) {
     cause.probability = std::min(1.0, cause.probability);  // but for rounding

@@ -48,6 +48,9 @@ struct Posterior {
   std::vector<CauseProbability> causes;  ///< most probable first
   /// By label: that an effect is part of the cause, whether or not something outside of the catalogue is too.
   std::map<std::string, double> effects;
+  /// The fewest effects of which one at least is surely part of the cause (`priors::part_of_it`), the most
+  /// probable first; none where many would be needed.
+  std::vector<std::string> surely_part;
   /// The hypothesis of the most probable way in which effects of the catalogue act; Way::none without any.
   std::size_t leading = Way::none;
   /// Whether nothing but noise near the declared one is left beside the most probable cause of the catalogue.

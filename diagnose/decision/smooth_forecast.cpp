@@ -36,13 +36,12 @@ struct SmoothFit {
   }
 };
 
-/// What the nominal model leaves of all readings beside a smooth function of those that are seen.
+/// What is left of a model's residual beside a smooth function of the readings that are seen.
 VectorXd left_by_smooth(const Study& study, const CommandStates& states, const NoiseEstimate& noise,
-                        const HeldOut& part) {
+                        const HeldOut& part, VectorXd left) {
   const Measurements& measurements = study.measurements();
   const Hyperpriors priors = full_model();
   const VectorXd sigma = noise.sigma(measurements);
-  VectorXd left = study.nominal_residual();
   for (const Block& block : measurements.blocks()) {
     std::vector<Eigen::Index> seen;
     for (Eigen::Index i = 0; i < block.count; ++i) {
@@ -66,11 +65,21 @@ VectorXd left_by_smooth(const Study& study, const CommandStates& states, const N
 
 }  // namespace
 
-std::optional<Shrink> smooth_forecast(const Study& study, const NoiseEstimate& noise) {
+std::optional<Shrink> gain_over_smooth(const Study& study, const Findings& findings,
+                                       const NoiseEstimate& noise, const Hypothesis& hypothesis) {
   const CommandStates states(study.experiment());
-  return cross_validated(study, noise, [&](const Study&, const NoiseEstimate&, const HeldOut& part) {
-    return std::optional(left_by_smooth(study, states, noise, part));
-  });
+  const auto beside_smooth = [&](const LeftUnseen& model) {
+    return [&, model](const Study& seen, const NoiseEstimate& noise_seen, const HeldOut& part) {
+      std::optional<VectorXd> left = model(seen, noise_seen, part);
+      if (left) left = left_by_smooth(study, states, noise, part, *std::move(left));
+      return left;
+    };
+  };
+  const auto nominal = [&](const Study&, const NoiseEstimate&, const HeldOut&) {
+    return std::optional(study.nominal_residual());
+  };
+  return cross_validated(study, noise, beside_smooth(left_by(study, findings, hypothesis)),
+                         beside_smooth(nominal));
 }
 
 }  // namespace plumbline::diagnose

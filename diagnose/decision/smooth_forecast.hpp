@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// How well a smooth function of the command, its direction and the run predicts readings that it has not
-/// seen: what a cause that is named in part has to surpass.
+/// Whether a cause says more of readings that its fit has not seen than a smooth function of the command, its
+/// direction and the run does: what a cause that is named in part has to.
 
 #include <optional>
 
@@ -9,8 +9,9 @@
 
 namespace plumbline::diagnose {
 
-/// The discrepancy of the nominal model, of its most probable size and length by channel, held out in turn as
-/// causes are.
-std::optional<Shrink> smooth_forecast(const Study& study, const NoiseEstimate& noise);
+/// How far a hypothesis with a smooth function beside it shrinks what the smooth function alone leaves: the
+/// discrepancy, of its most probable size and length by channel.
+std::optional<Shrink> gain_over_smooth(const Study& study, const Findings& findings,
+                                       const NoiseEstimate& noise, const Hypothesis& hypothesis);
 
 }  // namespace plumbline::diagnose

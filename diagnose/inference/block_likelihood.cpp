@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "diagnose/bench/median.hpp"
+#include "diagnose/inference/size_prior.hpp"
 
 namespace plumbline::diagnose {
 namespace {
@@ -289,8 +290,10 @@ namespace {
 /// prior.
 struct Widths {
   std::vector<double> precision, log_prior;
+  double log_smaller_than_all;
 
-  Widths(double unit, double typical) {
+  Widths(double unit, double typical)
+      : log_smaller_than_all(log_smaller(0.04 * unit / std::sqrt(2) / typical)) {
     constexpr int widths = 8;
     for (int k = 0; k < widths; ++k) {
       const double width = 0.04 * unit * std::exp2(k);
@@ -300,7 +303,7 @@ struct Widths {
   }
   /// Log Bayes factor of a step over none.
   [[nodiscard]] double gain(double along, double information) const {
-    std::vector<double> terms;
+    std::vector<double> terms{log_smaller_than_all};
     for (std::size_t k = 0; k < precision.size(); ++k)
       terms.push_back(log_prior[k] + 0.5 * along * along / (information + precision[k]) -
                       0.5 * std::log1p(information / precision[k]));

@@ -4,10 +4,18 @@
 #include <limits>
 #include <numbers>
 
+#include "diagnose/inference/size_prior.hpp"
+#include "diagnose/log_sum.hpp"
 #include "diagnose/priors.hpp"
 
 namespace plumbline::diagnose {
 namespace {
+
+/// Logarithm of the half-Cauchy probability that a size, over the typical one, is within a factor of the
+/// square root of two of this one.
+double log_half_cauchy(double size) {
+  return std::log(2 * std::numbers::ln2 / std::numbers::pi * size / (1 + size * size));
+}
 
 constexpr double impossible = -std::numeric_limits<double>::infinity();
 
@@ -52,18 +60,42 @@ Hyperpriors white_noise_alone() {
 void Hyperpriors::set_outside(double typical_size) {
   typical = typical_size;
   log_amplitude_outside.clear();
+  // A size below those of the grid changes nothing that readings show.
   for (const double a : amplitude)
-    log_amplitude_outside.push_back(a == 0 ? impossible : log_size_prior(a / typical));
+    log_amplitude_outside.push_back(a > 0 ? log_size_prior(a / typical)
+                                    : amplitude.size() == 1
+                                        ? impossible
+                                        : log_smaller(amplitude[1] / std::numbers::sqrt2 / typical));
 }
 
 double Hyperpriors::log_odds_of_listed(double size) const {
   // The constant of the density, from the first size that is none.
   const double first = amplitude[1], log_small = log_amplitude[1] - std::log(small(first));
-  return log_small - size / priors::discrepancy_scale - log_size_prior(size / typical);
+  return log_small - size / priors::discrepancy_scale - log_half_cauchy(size / typical);
 }
 
 double log_size_prior(double size) {
-  return std::log(2 * std::numbers::ln2 / std::numbers::pi * size / (1 + size * size));
+  constexpr double r = smallest_typical;
+  return std::log(std::numbers::ln2 * (1 - r) / -std::log(r) * size / ((size + r) * (1 + size)));
+}
+
+double log_smaller(double size) {
+  constexpr double r = smallest_typical;
+  return std::log(std::log1p(size * (1 - r) / (r * (1 + size))) / -std::log(r));
+}
+
+const std::vector<GridSize>& size_grid() {
+  static const std::vector<GridSize> grid = [] {
+    std::vector<GridSize> all;
+    std::vector<double> log_p;
+    for (double size = smallest_typical / 3; size < 30; size *= 3) {
+      all.push_back({size, log_size_prior(size)});
+      log_p.push_back(all.back().log_prior);
+    }
+    for (GridSize& one : all) one.log_prior -= log_sum(log_p);
+    return all;
+  }();
+  return grid;
 }
 
 double log_scale_prior(double log_scale) {

@@ -30,8 +30,8 @@ Hyperpriors noise_alone();
 /// Independent noise of one scale for each channel, and nothing else: for rough fits.
 Hyperpriors white_noise_alone();
 
-/// Logarithm of the half-Cauchy probability that a size is within a factor of the square root of two of this
-/// one.
+/// Logarithm of the probability that a size is within a factor of the square root of two of this one
+/// (size_prior.hpp).
 /// \param size  over the typical one
 double log_size_prior(double size);
 

@@ -10,7 +10,7 @@ namespace plumbline::diagnose {
 /// The share of the prior's volume that the readings leave to the parameters of a hypothesis, by Laplace's
 /// method.
 struct Volume {
-  double density = 0;  ///< log prior density times the prior's width, of those inside their bounds
+  double density = 0;  ///< log prior density times the prior's width, inside bounds; sizes summed out
   std::vector<double>
       precisions;  ///< of the readings along the principal axes, in units of the prior's width
   /// Of parameters at a bound, beyond which they would go: slopes of the log likelihood, over the prior

@@ -29,9 +29,20 @@ std::optional<Instance> with_little_of(const Study& study, const Hypothesis& h, 
   return has_strength ? std::optional(little) : std::nullopt;
 }
 
+/// Whether the readings would show one of its parameters at its typical size.
+bool shows_at_typical_size(const Study& study, const Hypothesis& h) {
+  const std::vector<ParameterRange> ranges = study.ranges(h.candidate);
+  for (std::size_t p = 0; p < ranges.size(); ++p) {
+    const auto k = static_cast<Eigen::Index>(p);
+    if (h.look.information(k, k) * ranges[p].scale * ranges[p].scale > 1) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 bool has_idle_effect(const Study& study, const Likelihood& likelihood, const Hypothesis& h) {
+  if (h.candidate.effects.size() == 1) return !shows_at_typical_size(study, h);
   return std::any_of(h.candidate.effects.begin(), h.candidate.effects.end(), [&](const EffectAt& gone) {
     if (h.candidate.has_as_tolerance(gone)) return false;
     const Instance rest =

@@ -9,13 +9,6 @@
 namespace plumbline::motion {
 namespace {
 
-/// Duration of a segment, and of the means of neighbouring readings: numbers of the method, s. A segment is
-/// long beside every delay, and short beside the time after which a small error owns the rest.
-constexpr double segment_duration = 2, mean_duration = 0.05;
-/// The angle at the begin of a segment is known to so many times the noise, its speed not at all: a parabola
-/// through readings follows no servo that catches its command.
-constexpr double begin_known = 10;
-
 /// What the model leaves to the fit: begins at its typical size.
 std::vector<Parameter> unknown_parameters(const Sizes& sizes, const std::vector<Term>& unknown) {
   std::vector<Parameter> all;
@@ -42,12 +35,12 @@ bool Candidate::has(const Row& row) const {
   return std::find(rows.begin(), rows.end(), &row) != rows.end();
 }
 
-Study::Study(Bench bench)
+Study::Study(Bench bench, double duration)
     : bench_(std::move(bench)),
       sizes_(bench_.logs),
       unknown_(unknown_parameters(sizes_, bench_.unknown)),
       rows_(catalogue(sizes_, bench_.nominal, bench_.unknown)),
-      segments_(segments_of(bench_.logs, segment_duration)) {
+      segments_(segments_of(bench_.logs, duration)) {
   for (const Segment& one : segments_) begins_.push_back(initial_state(bench_.logs[one.log], one.first));
 }
 
@@ -65,21 +58,21 @@ Drive<double> Study::drive(const std::vector<Parameter>& parameters,
   return drive;
 }
 
+template <int size>
 SegmentMeans Study::left_of(std::size_t segment, const std::vector<Parameter>& parameters,
-                            const std::vector<double>& values) const {
-  constexpr int at_begin = static_cast<int>(most_parameters);
-  using Number = Dual<at_begin + 2>;
-  const Drive<double> drive = this->drive(parameters, values);
-  Drive<Number> carried;
-  for (std::size_t t = 0; t < static_cast<std::size_t>(Term::count); ++t)
-    carried[static_cast<Term>(t)] = Number(drive[static_cast<Term>(t)]);
+                            const std::vector<double>& values, const Begin& begin) const {
+  using Number = Dual<size>;
+  constexpr int at_begin = size - 2;
+  auto carried = carried_by<Number>(drive(parameters, values));
   for (std::size_t p = 0; p < parameters.size(); ++p)
     for (const Term term : parameters[p].terms) carried[term].derivative(static_cast<Eigen::Index>(p)) = 1;
   const Segment& place = segments_[segment];
   const MotionLog& log = bench_.logs[place.log];
-  const InitialState& begin = begins_[segment];
-  const std::vector<Number> angle = roll_out(carried, log, place, Number::variable(begin.q, at_begin),
-                                             Number::variable(begin.v, at_begin + 1));
+  const InitialState& rough = begins_[segment];
+  const Eigen::Vector2d unit(sizes_.angle, sizes_.speed);
+  const std::vector<Number> angle =
+      angles_of(carried, log, place, Number::variable(rough.q + unit(0) * begin(0), at_begin),
+                Number::variable(rough.v + unit(1) * begin(1), at_begin + 1));
 
   std::vector<std::size_t> first{0};
   for (std::size_t k = 1; k < angle.size(); ++k)
@@ -88,7 +81,7 @@ SegmentMeans Study::left_of(std::size_t segment, const std::vector<Parameter>& p
              columns = static_cast<Eigen::Index>(parameters.size());
   first.push_back(angle.size());
   SegmentMeans left{Eigen::VectorXd::Zero(rows), Eigen::VectorXd::Zero(rows), Eigen::MatrixXd(rows, columns),
-                    Eigen::MatrixXd(rows, 2), Eigen::VectorXd(rows)};
+                    Eigen::MatrixXd(rows, 2),    Eigen::VectorXd(rows),       begin};
   for (Eigen::Index i = 0; i < rows; ++i) {
     const std::size_t from = first[static_cast<std::size_t>(i)], to = first[static_cast<std::size_t>(i) + 1];
     const auto count = static_cast<double>(to - from);
@@ -101,24 +94,68 @@ SegmentMeans Study::left_of(std::size_t segment, const std::vector<Parameter>& p
     const Number mean = sum / count;
     left.residual(i) -= mean.value;
     left.slopes.row(i) = mean.derivative.head(columns).matrix().transpose();
-    left.initial.row(i) << mean.derivative(at_begin) * begin_known * bench_.sigma,
-        mean.derivative(at_begin + 1) * sizes_.speed;
+    left.initial.row(i) = mean.derivative.tail(2).matrix().transpose() * unit.asDiagonal();
     left.variance(i) = bench_.sigma * bench_.sigma / count;
   }
   return left;
 }
 
 std::vector<SegmentMeans> Study::left(const std::vector<Parameter>& parameters,
-                                      const std::vector<double>& values) const {
+                                      const std::vector<double>& values,
+                                      const std::vector<Begin>& begins) const {
+  // As many derivatives as there are parameters, in steps of what the processor computes at once.
+  const auto of = parameters.size() <= 6    ? &Study::left_of<8>
+                  : parameters.size() <= 10 ? &Study::left_of<12>
+                                            : &Study::left_of<most_parameters + 2>;
   std::vector<SegmentMeans> all(segments_.size());
   in_parallel(all.size(), available_threads(),
-              [&](std::size_t s) { all[s] = left_of(s, parameters, values); });
+              [&](std::size_t s) { all[s] = (this->*of)(s, parameters, values, begins[s]); });
   return all;
 }
 
+namespace {
+
+/// The state at the first reading, by Gauss and Newton's steps from a parabola's.
+InitialState settled_state(const Drive<double>& drive, const MotionLog& log) {
+  constexpr double duration = 0.3;  // s
+  constexpr int most_steps = 5;
+  using Number = Dual<2>;
+  const auto carried = carried_by<Number>(drive);
+  Segment part{0, 0, 0};
+  while (part.end < log.time.size() && log.time[part.end] <= log.time.front() + duration) ++part.end;
+  InitialState state = initial_state(log, 0), best = state;
+  double least = std::numeric_limits<double>::infinity();
+  for (int step = 0; step < most_steps; ++step) {
+    const std::vector<Number> angle =
+        angles_of(carried, log, part, Number::variable(state.q, 0), Number::variable(state.v, 1));
+    Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
+    Eigen::Vector2d right = Eigen::Vector2d::Zero();
+    double squares = 0;
+    for (std::size_t k = 0; k < angle.size(); ++k) {
+      const double residual = log.position[k] - angle[k].value;
+      const Eigen::Vector2d slope = angle[k].derivative.matrix();
+      normal += slope * slope.transpose();
+      right += residual * slope;
+      squares += residual * residual;
+    }
+    if (!(squares < least)) break;
+    least = squares, best = state;
+    const Eigen::Vector2d by = normal.ldlt().solve(right);
+    if (!by.allFinite()) break;
+    state.q += by(0), state.v += by(1);
+  }
+  return best;
+}
+
+}  // namespace
+
+std::vector<double> predicted(const Drive<double>& drive, const MotionLog& log) {
+  const InitialState begin = settled_state(drive, log);
+  return angles_of(drive, log, {0, 0, log.time.size()}, begin.q, begin.v);
+}
+
 double error_of(const Drive<double>& drive, const MotionLog& log) {
-  const InitialState begin = initial_state(log, 0);
-  const std::vector<double> angle = roll_out(drive, log, {0, 0, log.time.size()}, begin.q, begin.v);
+  const std::vector<double> angle = predicted(drive, log);
   double sum = 0;
   for (std::size_t k = 0; k < angle.size(); ++k) sum += std::abs(angle[k] - log.position[k]);
   return sum / static_cast<double>(angle.size());

@@ -2,9 +2,20 @@
 /// \file
 /// Logs and the model with which they are compared; and what follows from them once and for all.
 
+#include <filesystem>
+#include <optional>
+
 #include "diagnose/motion/catalogue.hpp"
 
 namespace plumbline::motion {
+
+/// The file that the numbers of the drive come from, for corrections.
+struct ModelFile {
+  std::filesystem::path file;  ///< empty without one
+  std::string joint;           ///< its name; empty where it is the only one
+  std::optional<double> gain;  ///< of its servo, duty per rad
+  std::string actuator;        ///< name that BAM has for it
+};
 
 /// An experiment as it was read.
 struct Bench {
@@ -14,6 +25,7 @@ struct Bench {
   Drive<double> nominal;            ///< the numbers that the model states; the others are zero
   std::vector<Term> unknown;        ///< stated as unknown: fitted beside every cause
   double sigma = 0;                 ///< standard deviation of a reading of position, rad
+  ModelFile model = {};
 };
 
 /// Rows that act together.
@@ -24,19 +36,28 @@ struct Candidate {
   [[nodiscard]] bool has(const Row& row) const;
 };
 
+/// Angle and speed at the begin of a segment, less a parabola's through its first readings, in units of the
+/// motion's own: neither is known beforehand.
+using Begin = Eigen::Vector2d;
+
 /// The means of neighbouring readings of a segment, with their derivatives.
 struct SegmentMeans {
   Eigen::VectorXd time;      ///< s
-  Eigen::VectorXd residual;  ///< measured - predicted, rad
+  Eigen::VectorXd residual;  ///< measured - predicted from `begin`, rad
   Eigen::MatrixXd slopes;    ///< of the prediction by the parameters
-  Eigen::MatrixXd initial;   ///< the same by angle and speed at the begin, times their standard deviations
+  Eigen::MatrixXd initial;   ///< the same by the begin
   Eigen::VectorXd variance;  ///< of the noise of readings, rad^2
+  Begin begin;
 };
+
+/// Durations of segments, s. A segment is long beside every delay, and short beside the time after which a
+/// small error owns the rest; fits from far away begin with short ones, in which no error grows.
+inline constexpr double segment_duration = 2, short_segment = 0.4;
 
 /// The bench under study.
 class Study {
  public:
-  explicit Study(Bench bench);
+  explicit Study(Bench bench, double duration = segment_duration);
 
   [[nodiscard]] const Bench& bench() const { return bench_; }
   [[nodiscard]] const Sizes& sizes() const { return sizes_; }
@@ -51,13 +72,19 @@ class Study {
   [[nodiscard]] Drive<double> drive(const std::vector<Parameter>& parameters,
                                     const std::vector<double>& values) const;
 
+  /// Begins by the parabolas alone.
+  [[nodiscard]] std::vector<Begin> rough_begins() const {
+    return std::vector<Begin>(segments_.size(), Begin::Zero());
+  }
   /// What is left of every segment.
   [[nodiscard]] std::vector<SegmentMeans> left(const std::vector<Parameter>& parameters,
-                                               const std::vector<double>& values) const;
+                                               const std::vector<double>& values,
+                                               const std::vector<Begin>& begins) const;
 
  private:
+  template <int size>
   [[nodiscard]] SegmentMeans left_of(std::size_t segment, const std::vector<Parameter>& parameters,
-                                     const std::vector<double>& values) const;
+                                     const std::vector<double>& values, const Begin& begin) const;
 
   Bench bench_;
   Sizes sizes_;
@@ -70,7 +97,13 @@ class Study {
 /// Most parameters of a hypothesis; so many derivatives are carried through a roll-out.
 inline constexpr std::size_t most_parameters = 14;
 
-/// Mean of |predicted - measured| over a log that is rolled out whole from its first reading, rad.
+/// Duration of the means of neighbouring readings, s: a number of the method.
+inline constexpr double mean_duration = 0.05;
+
+/// The positions of a log that is rolled out whole, from the state at its first reading with which its first
+/// three tenths of a second are predicted best.
+std::vector<double> predicted(const Drive<double>& drive, const MotionLog& log);
+/// Mean of |predicted - measured|, rad.
 double error_of(const Drive<double>& drive, const MotionLog& log);
 
 }  // namespace plumbline::motion

@@ -50,6 +50,12 @@ std::vector<Row> rows_of_command(const Sizes& sizes) {
           {{one_way("missing", "ratio", 0.3, 0.95),
             {Term::duty_missing},
             1 - 0.8 * std::min(1.0, sizes.duty)}}),
+      row("speed_limit", "a limit of the servo's speed",
+          {{one_way("slowness", "s/rad", 0.3 / sizes.speed, 10 / sizes.speed),
+            {Term::command_slowness},
+            0.7 / sizes.speed}}),
+      row("clock_rate", "a clock whose seconds are others",
+          {{both_ways("e", "ratio", 0.02, -0.2, 0.2), {Term::clock_rate}, 0}}),
       row("command_offset", "an offset between command and position",
           {{both_ways("offset", "rad", 0.02, -sizes.angle, sizes.angle), {Term::command_offset}, 0}}),
       row("command_scale", "a scale of the command",
@@ -79,6 +85,22 @@ std::vector<Row> rows_of_friction(const Sizes& sizes) {
           true),
       row("one_way_friction", "dry friction that differs by direction",
           {{both_ways("delta", "N m", torque, -sizes.torque, sizes.torque), {Term::direction}, 0}}),
+  };
+}
+
+/// They move apart where the rotor has an inertia alone.
+std::vector<Row> rows_of_gear(const Sizes& sizes) {
+  const double compliance = 0.05 * sizes.angle / sizes.torque;
+  return {
+      row("backlash", "play of the gear", {{one_way("play", "rad", 0.02, sizes.angle), {Term::play}, 0.02}}),
+      row("elastic_gear", "a gear that gives way",
+          {{one_way("compliance", "rad/(N m)", compliance, 20 * compliance),
+            {Term::gear_compliance},
+            compliance},
+           {one_way("damping", "N m s/rad", 0.1 * std::sqrt(sizes.inertia / compliance),
+                    10 * std::sqrt(sizes.inertia / compliance)),
+            {Term::gear_damping},
+            0.05 * std::sqrt(sizes.inertia / compliance)}}),
   };
 }
 
@@ -148,8 +170,12 @@ std::vector<Row> catalogue(const Sizes& sizes, const Drive<double>& nominal,
   for (const Stated& number : stated_numbers(sizes))
     if (std::find(unknown.begin(), unknown.end(), number.term) == unknown.end())
       rows.push_back(wrong(number, nominal[number.term]));
-  for (std::vector<Row> some : {rows_of_command(sizes), rows_of_friction(sizes), rows_of_load(sizes)})
+  for (const std::vector<Row>& some : {rows_of_command(sizes), rows_of_friction(sizes), rows_of_load(sizes)})
     rows.insert(rows.end(), some.begin(), some.end());
+  const bool has_rotor = nominal.has(Term::armature) ||
+                         std::find(unknown.begin(), unknown.end(), Term::armature) != unknown.end();
+  if (has_rotor)
+    for (const Row& one : rows_of_gear(sizes)) rows.push_back(one);
   return rows;
 }
 

@@ -41,13 +41,15 @@ NamedCause named(const Study& study, const Hypothesis& h, double probability, do
 Hypothesis certain_part(const Study& study, const Findings& findings, const Posterior& posterior) {
   const Hypothesis& leading = findings.hypotheses[posterior.leading];
   Candidate candidate;
-  std::vector<double> start(leading.values.begin(),
-                            leading.values.begin() + static_cast<std::ptrdiff_t>(study.unknowns()));
+  Start start{
+      {leading.values.begin(), leading.values.begin() + static_cast<std::ptrdiff_t>(study.unknowns())},
+      leading.begins};
   std::size_t from = study.unknowns();
   for (const Row* row : leading.candidate.rows) {
     if (posterior.effects.at(std::string(row->id)) >= diagnose::priors::part_of_it) {
       candidate.rows.push_back(row);
-      for (std::size_t p = 0; p < row->parameters.size(); ++p) start.push_back(leading.values[from + p]);
+      for (std::size_t p = 0; p < row->parameters.size(); ++p)
+        start.values.push_back(leading.values[from + p]);
     }
     from += row->parameters.size();
   }
@@ -120,8 +122,8 @@ Diagnosis diagnose_motion(const Study& study, const std::function<void(double)>&
   result.after = estimates(best, 0, study.unknowns(), posterior.temper);
   result.spread = best.look.best.amplitude;
   result.drive = study.drive(best.parameters, best.values);
-  result.errors = errors_of(study.bench(), study.drive(findings.nominal.parameters, findings.nominal.values),
-                            result.drive);
+  result.without = study.drive(findings.nominal.parameters, findings.nominal.values);
+  result.errors = errors_of(study.bench(), result.without, result.drive);
   if (!result.causes.empty()) result.rest = rest_of(result, best, study.bench().sigma);
   if (result.verdict == CauseVerdict::identified && !result.rest.empty())
     result.verdict = CauseVerdict::partial;

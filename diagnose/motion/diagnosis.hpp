@@ -51,7 +51,7 @@ struct Diagnosis {
   std::vector<Estimate> after;      ///< and beside the first that is named
   double spread = 0;                ///< of what the first that is named leaves, standard deviation, rad
   std::vector<LogError> errors;     ///< of every log; before and after are the same without a cause
-  Drive<double> drive;              ///< with the first cause that is named
+  Drive<double> without, drive;     ///< without a cause, and with the first that is named
 
   /// Mean error of the logs held out, or of the others.
   [[nodiscard]] LogError mean(bool held_out) const;

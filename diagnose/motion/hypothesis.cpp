@@ -20,7 +20,7 @@ constexpr double least_gain = 0.05;
 
 /// A fit on its way.
 struct Point {
-  std::vector<double> values;
+  Start at;
   std::vector<SegmentMeans> left;
   Slope slope;
   double log_posterior = -std::numeric_limits<double>::infinity();
@@ -31,9 +31,9 @@ class Fit {
   Fit(const Study& study, const Likelihood& likelihood, const std::vector<Parameter>& parameters)
       : study_(study), likelihood_(likelihood), parameters_(parameters) {}
 
-  [[nodiscard]] Point at(std::vector<double> values, const Cell& cell) const {
-    Point point{std::move(values), {}, {}};
-    point.left = study_.left(parameters_, point.values);
+  [[nodiscard]] Point at(Start start, const Cell& cell) const {
+    Point point{std::move(start), {}, {}};
+    point.left = study_.left(parameters_, point.at.values, point.at.begins);
     weigh(point, cell);
     return point;
   }
@@ -47,16 +47,16 @@ class Fit {
     for (std::size_t p = study_.unknowns(); p < parameters_.size(); ++p) {
       const auto k = static_cast<Index>(p);
       const ParameterPrior prior(parameters_[p].range);
-      point.log_posterior += prior.log_density(point.values[p]);
-      point.slope.gradient(k) -= prior.curvature(point.values[p]) * point.values[p];
-      point.slope.information(k, k) += prior.curvature(point.values[p]);
+      point.log_posterior += prior.log_density(point.at.values[p]);
+      point.slope.gradient(k) -= prior.curvature(point.at.values[p]) * point.at.values[p];
+      point.slope.information(k, k) += prior.curvature(point.at.values[p]);
     }
     if (!std::isfinite(point.log_posterior)) point.log_posterior = -std::numeric_limits<double>::infinity();
   }
   [[nodiscard]] bool is_held(const Point& point, std::size_t p) const {
     const diagnose::ParameterRange& range = parameters_[p].range;
     const double slope = point.slope.gradient(static_cast<Index>(p));
-    return (point.values[p] <= range.low && slope < 0) || (point.values[p] >= range.high && slope > 0);
+    return (point.at.values[p] <= range.low && slope < 0) || (point.at.values[p] >= range.high && slope > 0);
   }
   /// Uphill until a step gains little.
   [[nodiscard]] Point best_from(Point point, const Cell& cell) const {
@@ -65,7 +65,6 @@ class Fit {
       std::vector<Index> free;
       for (std::size_t p = 0; p < parameters_.size(); ++p)
         if (!is_held(point, p)) free.push_back(static_cast<Index>(p));
-      if (free.empty()) break;
       double gain = 0;
       for (int attempt = 0; attempt < 6 && gain == 0; ++attempt) {
         Point next = at(moved(point, free, damping), cell);
@@ -83,8 +82,8 @@ class Fit {
   }
 
  private:
-  [[nodiscard]] std::vector<double> moved(const Point& point, const std::vector<Index>& free,
-                                          double damping) const {
+  /// Each begin moves to the most probable one beside the new values, by as much of the way as they do.
+  [[nodiscard]] Start moved(const Point& point, const std::vector<Index>& free, double damping) const {
     MatrixXd curvature = point.slope.information(free, free);
     for (std::size_t f = 0; f < free.size(); ++f) {
       const auto k = static_cast<Index>(f);
@@ -92,14 +91,20 @@ class Fit {
       curvature(k, k) += damping * std::max(curvature(k, k), 1 / (scale * scale));
     }
     const VectorXd step = curvature.ldlt().solve(VectorXd(point.slope.gradient(free)));
-    std::vector<double> values = point.values;
+    Start next = point.at;
+    VectorXd by = VectorXd::Zero(static_cast<Index>(parameters_.size()));
     for (std::size_t f = 0; f < free.size(); ++f) {
       const auto p = static_cast<std::size_t>(free[f]);
       const diagnose::ParameterRange& range = parameters_[p].range;
-      const double by = step(static_cast<Index>(f));
-      values[p] = std::clamp(values[p] + (std::isfinite(by) ? by : 0), range.low, range.high);
+      const double wanted = step(static_cast<Index>(f));
+      next.values[p] =
+          std::clamp(next.values[p] + (std::isfinite(wanted) ? wanted : 0), range.low, range.high);
+      by(free[f]) = next.values[p] - point.at.values[p];
     }
-    return values;
+    for (std::size_t s = 0; s < next.begins.size(); ++s)
+      next.begins[s] +=
+          (point.slope.begin[s] - next.begins[s]) / (1 + damping) + point.slope.begin_slopes[s] * by;
+    return next;
   }
 
   const Study& study_;
@@ -172,7 +177,7 @@ double log_prior_of(const Study& study, const Candidate& candidate) {
 }  // namespace
 
 double forecast(const Study& study, const Likelihood& likelihood, const Candidate& candidate,
-                const std::vector<double>& start, const Cell& cell) {
+                const Start& start, const Cell& cell) {
   const std::vector<Parameter> parameters = study.parameters(candidate);
   const Point point = Fit(study, likelihood, parameters).at(start, cell);
   if (!std::isfinite(point.log_posterior)) return point.log_posterior;
@@ -187,8 +192,7 @@ double size_of(const std::vector<SegmentMeans>& left) {
   return std::sqrt(sum / count);
 }
 
-Hypothesis fitted(const Study& study, const Likelihood& likelihood, Candidate candidate,
-                  std::vector<double> start) {
+Hypothesis fitted(const Study& study, const Likelihood& likelihood, Candidate candidate, Start start) {
   Hypothesis h;
   h.parameters = study.parameters(candidate);
   h.log_prior = log_prior_of(study, candidate);
@@ -207,9 +211,11 @@ Hypothesis fitted(const Study& study, const Likelihood& likelihood, Candidate ca
   for (std::size_t p = 0; p < h.parameters.size(); ++p) {
     const diagnose::ParameterRange& range = h.parameters[p].range;
     const double margin = 1e-6 * range.scale;
-    h.at_bound.push_back(point.values[p] <= range.low + margin || point.values[p] >= range.high - margin);
+    h.at_bound.push_back(point.at.values[p] <= range.low + margin ||
+                         point.at.values[p] >= range.high - margin);
   }
-  h.values = point.values;
+  h.values = point.at.values;
+  h.begins = point.at.begins;
   h.covariance = covariance_of(h, point.slope.information);
   h.log_volume = log_volume(study, h, likelihood.slope(point.left, h.look.best));
   return h;

@@ -12,6 +12,7 @@ struct Hypothesis {
   std::vector<Parameter> parameters;
   std::vector<double> values;
   std::vector<bool> at_bound;
+  std::vector<Begin> begins;
   Eigen::MatrixXd covariance;  ///< of the parameters; zero rows for those at a bound
   Look look;
   double log_prior = 0;   ///< of the candidate
@@ -19,15 +20,20 @@ struct Hypothesis {
   [[nodiscard]] double log_evidence() const { return log_prior + log_volume + look.log_likelihood; }
 };
 
+/// Where a fit begins.
+struct Start {
+  std::vector<double> values;
+  std::vector<Begin> begins;
+};
+
 /// The most probable parameters from a start, by Gauss and Newton's damped steps within their bounds, and the
 /// evidence by Laplace's method. The unknown numbers of the drive are the same in every hypothesis and have a
 /// flat prior.
-Hypothesis fitted(const Study& study, const Likelihood& likelihood, Candidate candidate,
-                  std::vector<double> start);
+Hypothesis fitted(const Study& study, const Likelihood& likelihood, Candidate candidate, Start start);
 
 /// What a fit from this start promises: the log likelihood at the end of one step of Newton's, in one cell.
 double forecast(const Study& study, const Likelihood& likelihood, const Candidate& candidate,
-                const std::vector<double>& start, const Cell& cell);
+                const Start& start, const Cell& cell);
 
 /// Root mean square of what a hypothesis leaves of the means, rad.
 double size_of(const std::vector<SegmentMeans>& left);

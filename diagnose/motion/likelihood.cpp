@@ -32,11 +32,12 @@ Eigen::MatrixXd covariance(const SegmentMeans& left, const Cell& cell) {
 
 /// Of one segment, whose columns are whitened.
 struct Whitened {
-  Eigen::MatrixXd columns;  ///< residual, then slopes where they are wanted
+  Eigen::VectorXd residual;
+  Eigen::MatrixXd slopes, initial;  ///< where they are wanted
   double log_det;
-  [[nodiscard]] double square() const { return columns.col(0).squaredNorm(); }
+  [[nodiscard]] double square() const { return residual.squaredNorm(); }
   [[nodiscard]] double log_density() const {
-    const auto n = static_cast<double>(columns.rows());
+    const auto n = static_cast<double>(residual.size());
     return std::lgamma((freedom + n) / 2) - std::lgamma(freedom / 2) -
            n / 2 * std::log(freedom * std::numbers::pi) - log_det / 2 -
            (freedom + n) / 2 * std::log1p(square() / freedom);
@@ -45,25 +46,28 @@ struct Whitened {
 
 Whitened whitened(const SegmentMeans& left, const Cell& cell, bool with_slopes) {
   const Eigen::LLT<Eigen::MatrixXd> factor(covariance(left, cell));
-  Eigen::MatrixXd columns(left.time.size(), with_slopes ? 1 + left.slopes.cols() : 1);
-  columns.col(0) = left.residual;
-  if (with_slopes) columns.rightCols(left.slopes.cols()) = left.slopes;
-  factor.matrixL().solveInPlace(columns);
-  return {columns, 2 * factor.matrixLLT().diagonal().array().log().sum()};
+  Whitened white{left.residual + left.initial * left.begin, {}, {}, 0};
+  factor.matrixL().solveInPlace(white.residual);
+  white.log_det = 2 * factor.matrixLLT().diagonal().array().log().sum();
+  if (!with_slopes) return white;
+  white.slopes = factor.matrixL().solve(left.slopes);
+  white.initial = factor.matrixL().solve(left.initial);
+  return white;
 }
 
 }  // namespace
 
 Slope Likelihood::slope(const std::vector<SegmentMeans>& left, const Cell& cell) const {
   const Eigen::Index parameters = left.front().slopes.cols();
-  Slope sum{0, Eigen::VectorXd::Zero(parameters), Eigen::MatrixXd::Zero(parameters, parameters)};
+  Slope sum{0, Eigen::VectorXd::Zero(parameters), Eigen::MatrixXd::Zero(parameters, parameters), {}, {}};
   for (const SegmentMeans& one : left) {
     const Whitened white = whitened(one, cell, true);
     const double weight = (freedom + static_cast<double>(one.time.size())) / (freedom + white.square());
-    const auto slopes = white.columns.rightCols(parameters);
     sum.log_likelihood += white.log_density();
-    sum.gradient += weight * slopes.transpose() * white.columns.col(0);
-    sum.information += weight * slopes.transpose() * slopes;
+    sum.gradient += weight * white.slopes.transpose() * white.residual;
+    sum.information += weight * white.slopes.transpose() * white.slopes;
+    sum.begin.emplace_back(white.initial.transpose() * white.residual);
+    sum.begin_slopes.emplace_back(-white.initial.transpose() * white.slopes);
   }
   return sum;
 }

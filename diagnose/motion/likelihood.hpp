@@ -4,8 +4,9 @@
 ///
 ///   residual = initial state + delta + noise,  delta ~ N(0, A^2 exp(-|t - t'| / tau))
 ///
-/// The initial state and delta are summed out. Each segment has a scale of its own, which is known within a
-/// factor: Student's distribution of many values. So logs that repeat badly count for less.
+/// The initial state and delta are summed out; the motion is linear in the initial state about the one that
+/// it was computed from, which fits move to the most probable one. Each segment has a scale of its own, which
+/// is known within a factor: Student's distribution of many values. So logs that repeat badly count for less.
 
 #include "diagnose/inference/hyperpriors.hpp"
 #include "diagnose/motion/bench.hpp"
@@ -22,6 +23,8 @@ struct Slope {
   double log_likelihood = 0;
   Eigen::VectorXd gradient;     ///< by the parameters
   Eigen::MatrixXd information;  ///< Gauss and Newton's
+  std::vector<Begin> begin;     ///< of each segment, the most probable one beside these parameters
+  std::vector<Eigen::MatrixXd> begin_slopes;  ///< of these by the parameters
 };
 
 /// What it says in all.

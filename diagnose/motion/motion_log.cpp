@@ -19,23 +19,24 @@ InitialState initial_state(const MotionLog& log, std::size_t reading) {
     right += row * log.position[k];
   }
   const Eigen::Vector3d found = normal.ldlt().solve(right);
-  return {found(0), found(1)};
+  return {found(0), found(1), 2 * found(2)};
 }
 
 std::vector<Segment> segments_of(const std::vector<MotionLog>& logs, double duration) {
-  constexpr std::size_t fewest = 12;  // readings of a segment
+  constexpr std::size_t fewest = 12;       // readings of a segment
+  constexpr double unknown_command = 0.1;  // s
   std::vector<Segment> all;
   for (std::size_t i = 0; i < logs.size(); ++i) {
     const std::vector<double>& time = logs[i].time;
-    const double whole = time.back() - time.front();
+    const auto reading_at = [&](double t) {
+      return static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), t) - time.begin());
+    };
+    const double begin = time.front() + std::min(unknown_command, (time.back() - time.front()) / 10),
+                 whole = time.back() - begin;
     const double parts = std::max(1.0, std::round(whole / duration));
-    std::size_t first = 0;
+    std::size_t first = reading_at(begin);
     for (double part = 1; part <= parts; ++part) {
-      const double until = time.front() + whole * part / parts;
-      const auto end =
-          part == parts
-              ? time.size()
-              : static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), until) - time.begin());
+      const std::size_t end = part == parts ? time.size() : reading_at(begin + whole * part / parts);
       if (end >= first + fewest) all.push_back({i, first, end});
       first = end;
     }

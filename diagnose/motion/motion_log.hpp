@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "diagnose/motion/drive.hpp"
+
 namespace plumbline::motion {
 
 /// One log. SI units, radians; all lists are as long as `time`.
@@ -15,6 +17,7 @@ struct MotionLog {
   std::vector<double> position;  ///< rad
   std::vector<double> supply;    ///< V; one where none is read
   std::vector<bool> powered;
+  EncoderSide encoder = EncoderSide::joint;
   double gain = 0;     ///< of the servo: duty per rad of error
   double inertia = 0;  ///< of the load about the joint, kg m^2
   double gravity = 0;  ///< moment of the load's weight where it is horizontal, N m
@@ -26,14 +29,15 @@ struct Segment {
   std::size_t first, end;  ///< readings
 };
 
-/// Angle and speed at a reading, from a parabola through its neighbours.
+/// Angle, speed and acceleration at a reading, from a parabola through its neighbours.
 struct InitialState {
-  double q, v;
+  double q, v, a;
 };
 
 InitialState initial_state(const MotionLog& log, std::size_t reading);
 
-/// Segments of about this duration, s.
+/// Segments of about this duration, s. The first of a log begins a tenth of a second after it, for the
+/// command before the log is not known, and a delay makes it act.
 std::vector<Segment> segments_of(const std::vector<MotionLog>& logs, double duration);
 
 }  // namespace plumbline::motion

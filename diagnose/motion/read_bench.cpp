@@ -147,6 +147,23 @@ void read_drive(const Section& drive, Bench& bench) {
                 "the torque at full duty over the supply, N m/V, or \"unknown\"");
 }
 
+ModelFile read_model(const std::filesystem::path& folder, const Section& model, const Section& servo) {
+  model.allow_only({"file", "joint", "gain", "actuator"});
+  ModelFile read;
+  const auto text = [&](const char* key) {
+    return model.has(key) ? model.text(key, "a text") : std::string();
+  };
+  if (model.has("file")) {
+    require_inside(text("file"), model.place("file"));
+    read.file = folder / text("file");
+  }
+  read.joint = text("joint"), read.actuator = text("actuator");
+  if (model.has("gain"))
+    read.gain =
+        model.number("gain", "a number in the unit of servo.gain") * value_of(servo, "duty_per_error", {}, 1);
+  return read;
+}
+
 }  // namespace
 
 bool is_motion(const std::filesystem::path& folder) {
@@ -159,11 +176,14 @@ Bench read_bench(const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / "experiment.toml";
   const toml::table table = files::parse_toml(files::read_text(file), file.string());
   const Section all(table, file.string());
-  all.allow_only({"format", "name", "logs", "columns", "servo", "load", "drive", "noise"});
+  all.allow_only({"format", "name", "logs", "columns", "servo", "load", "drive", "noise", "model"});
   const Section logs = all.table("logs"), servo = all.table("servo"), load = all.table("load"),
                 noise = all.table("noise");
   logs.allow_only({"files", "index", "file", "fit", "held_out"});
-  servo.allow_only({"gain", "duty_per_error", "supply"});
+  servo.allow_only({"gain", "duty_per_error", "supply", "encoder"});
+  const EncoderSide encoder = servo.has("encoder") && servo.one_of("encoder", {"joint", "motor"}) == "motor"
+                                  ? EncoderSide::motor
+                                  : EncoderSide::joint;
   load.allow_only({"mass", "length", "rod_mass", "inertia", "gravity_moment"});
   noise.allow_only({"position"});
   const Columns columns(all.table_or_empty("columns"));
@@ -178,6 +198,7 @@ Bench read_bench(const std::filesystem::path& folder) {
     if (!held_out && logs.has("fit") && !is_chosen(logs, "fit", row)) continue;
     require_inside(row.file, row.place);
     MotionLog log = read_log(folder, row, columns, value_of(servo, "supply", row, 1));
+    log.encoder = encoder;
     log.gain = value_of(servo, "gain", row, 1) * value_of(servo, "duty_per_error", row, 1);
     if (!(log.gain > 0))
       throw Error(row.place, fmt::format("a gain of {:g}", log.gain), "a positive one, duty per rad");
@@ -187,6 +208,7 @@ Bench read_bench(const std::filesystem::path& folder) {
   }
   if (bench.logs.empty()) throw Error(logs.where() + ": logs", "no log to fit to", "one at least");
   read_drive(all.table("drive"), bench);
+  bench.model = read_model(folder, all.table_or_empty("model"), servo);
   return bench;
 }
 

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "diagnose/motion/drive.hpp"
 #include "diagnose/motion/motion_log.hpp"
+#include "diagnose/motion/step.hpp"
 
 namespace plumbline::motion {
 
@@ -39,26 +39,56 @@ class HeldSignal {
 /// The longest step of a roll-out, s.
 inline constexpr double longest_step = 0.002;
 
-/// The angles at the readings of a segment.
+/// The drive by a clock that runs fast or slow: what has the dimension of time, in the time of the stamps.
 template <class Real>
-std::vector<Real> roll_out(const Drive<Real>& drive, const MotionLog& log, const Segment& segment,
-                           const Real& q, const Real& v) {
-  Motion<Real> state{q, v};
+Drive<Real> by_stamps(const Drive<Real>& drive) {
+  if (!drive.has(Term::clock_rate)) return drive;
+  Drive<Real> own = drive;
+  const Real rate = 1 + drive[Term::clock_rate];
+  for (const Term term : {Term::command_delay, Term::drive_lag, Term::command_slowness, Term::viscous,
+                          Term::back_emf, Term::brake, Term::gear_damping})
+    if (drive.has(term)) own[term] = drive[term] / rate;
+  for (const Term term : {Term::armature, Term::drag})
+    if (drive.has(term)) own[term] = drive[term] / (rate * rate);
+  if (drive.has(Term::rising_speed)) own[Term::rising_speed] = drive[Term::rising_speed] * rate;
+  return own;
+}
+
+/// Follows a segment from the angle that its encoder reads at the begin, and a speed.
+/// \param visit  called with the number of each reading in the segment, the state, and what is imposed
+template <class Real, class Visit>
+void roll_out(const Drive<Real>& true_drive, const MotionLog& log, const Segment& segment,
+              const Real& reading, const Real& v, const Visit& visit) {
+  const Drive<Real> drive = by_stamps(true_drive);
+  const Real rate = 1 + drive[Term::clock_rate];
   HeldSignal command(log.time, log.command);
-  std::vector<Real> angles{q};
-  Imposed<Real> now{Real(0), log.gain, 1, true, log.inertia, log.gravity};
-  bool begun = false;
-  for (std::size_t k = segment.first; k + 1 < segment.end; ++k) {
-    const double whole = log.time[k + 1] - log.time[k];
-    const double steps = std::ceil(whole / longest_step), h = whole / steps;
+  Imposed<Real> now{Real(0), log.gain, 1, true, log.inertia / (rate * rate), log.gravity, log.encoder};
+  Motion<Real> state;
+  for (std::size_t k = segment.first; k < segment.end; ++k) {
     now.supply = log.supply[k], now.powered = log.powered[k];
-    for (double i = 0; i < steps; ++i) {
+    const double whole = k + 1 < log.time.size() ? log.time[k + 1] - log.time[k] : longest_step;
+    const double steps = std::ceil(whole / longest_step), h = whole / steps;
+    now.command = command.mean(log.time[k], h, drive[Term::command_delay]);
+    if (k == segment.first) state = begun(drive, now, reading, v, h);
+    visit(k - segment.first, state, now);
+    if (k + 1 == segment.end) break;
+    state = after(drive, now, state, h);
+    for (double i = 1; i < steps; ++i) {
       now.command = command.mean(log.time[k] + i * h, h, drive[Term::command_delay]);
-      if (!begun) state.acting = asked_duty(drive, now, q), begun = true;
       state = after(drive, now, state, h);
     }
-    angles.push_back(state.q);
   }
+}
+
+/// The readings of position of a segment.
+template <class Real>
+std::vector<Real> angles_of(const Drive<Real>& drive, const MotionLog& log, const Segment& segment,
+                            const Real& reading, const Real& v) {
+  std::vector<Real> angles;
+  roll_out(drive, log, segment, reading, v,
+           [&](std::size_t, const Motion<Real>& state, const Imposed<Real>& now) {
+             angles.push_back(state.reading(now.encoder));
+           });
   return angles;
 }
 

@@ -27,11 +27,11 @@ Likelihood far_likelihood(const Study& study) {
 Hypothesis nominal_fit(const Study& study, const Likelihood& likelihood) {
   Hypothesis best;
   for (const double factor : {0.1, 0.3, 1.0, 3.0}) {
-    std::vector<double> start;
-    for (const Parameter& one : study.parameters({})) start.push_back(factor * one.guess);
+    Start start{{}, study.rough_begins()};
+    for (const Parameter& one : study.parameters({})) start.values.push_back(factor * one.guess);
     Hypothesis one = fitted(study, likelihood, {}, start);
     if (best.look.log_by_amplitude.empty() || more_evidence(one, best)) best = std::move(one);
-    if (start.empty()) break;
+    if (start.values.empty()) break;
   }
   if (!std::isfinite(best.look.log_likelihood))
     throw Error("the logs", "no start from which the drive's unknown numbers follow them",
@@ -45,12 +45,15 @@ std::set<const Row*> rows_of(const Candidate& candidate) {
 
 class Searcher {
  public:
-  explicit Searcher(const Study& study) : study_(study) {
-    const Hypothesis rough = nominal_fit(study, far_likelihood(study));
-    const double unit = std::max(size_of(study.left(rough.parameters, rough.values)), study.bench().sigma);
+  explicit Searcher(const Study& study) : study_(study), short_study_(study.bench(), short_segment) {
+    const Hypothesis rough =
+        fitted(study, far_likelihood(study), {},
+               {nominal_fit(short_study_, far_likelihood(study)).values, study.rough_begins()});
+    const double unit =
+        std::max(size_of(study.left(rough.parameters, rough.values, rough.begins)), study.bench().sigma);
     found_.likelihood =
         std::make_shared<Likelihood>(unit, diagnose::priors::typical_outside * study.sizes().angle);
-    found_.nominal = fitted(study, *found_.likelihood, {}, rough.values);
+    found_.nominal = fitted(study, *found_.likelihood, {}, {rough.values, rough.begins});
   }
 
   Findings run(const std::function<void(double)>& report) {
@@ -78,7 +81,7 @@ class Searcher {
   /// A candidate to be fitted.
   struct Task {
     Candidate candidate;
-    std::vector<double> start;
+    Start start;
     double promise = 0;
   };
 
@@ -92,7 +95,7 @@ class Searcher {
       for (std::size_t k = 0; k < tasks.size(); ++k) {
         report((static_cast<double>(i) + static_cast<double>(k) / static_cast<double>(tasks.size())) /
                static_cast<double>(from.size()));
-        Hypothesis one = fitted(study_, *found_.likelihood, tasks[k].candidate, tasks[k].start);
+        Hypothesis one = from_afar(tasks[k]);
         if (std::isfinite(one.log_evidence())) level.push_back(std::move(one));
       }
     }
@@ -100,15 +103,25 @@ class Searcher {
     return level;
   }
 
+  /// A fit; of a row alone, whose numbers may be far from those without it, by way of short segments.
+  Hypothesis from_afar(const Task& task) const {
+    Start start = task.start;
+    if (task.candidate.rows.size() == 1)
+      start.values = fitted(short_study_, *found_.likelihood, task.candidate,
+                            {start.values, short_study_.rough_begins()})
+                         .values;
+    return fitted(study_, *found_.likelihood, task.candidate, std::move(start));
+  }
+
   /// Every row beside the nominal model; the most promising ones beside a cause.
   std::vector<Task> tasks_beside(const Hypothesis& lead, std::set<std::set<const Row*>>& tried) const {
     std::vector<Task> tasks;
     for (const Row& row : study_.rows()) {
-      Task task{lead.candidate, lead.values};
+      Task task{lead.candidate, {lead.values, lead.begins}};
       task.candidate.rows.push_back(&row);
-      for (const Parameter& one : row.parameters) task.start.push_back(one.guess);
+      for (const Parameter& one : row.parameters) task.start.values.push_back(one.guess);
       if (lead.candidate.has(row) || shares_a_term(lead.candidate, row) ||
-          task.start.size() > most_parameters || tried.count(rows_of(task.candidate)) > 0)
+          task.start.values.size() > most_parameters || tried.count(rows_of(task.candidate)) > 0)
         continue;
       if (!lead.candidate.rows.empty())
         task.promise = forecast(study_, *found_.likelihood, task.candidate, task.start, lead.look.best);
@@ -136,6 +149,7 @@ class Searcher {
   }
 
   const Study& study_;
+  const Study short_study_;
   Findings found_;
 };
 

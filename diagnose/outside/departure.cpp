@@ -101,4 +101,12 @@ std::vector<EventOrder> from_the_ends(const Measurements& measurements, const Co
   return orders;
 }
 
+OutsideFit EventDeparture::fit(const Leftover& left) const {
+  const Measurements& measurements = left.likelihood.measurements();
+  const Decomposition parts = left.likelihood.decompose(left.residual);
+  return {left.look.log_by_amplitude.front() +
+          log_departure(measurements, left.residual - parts.delta - parts.periodic, parts.noise,
+                        orders_(measurements, left.likelihood.states()))};
+}
+
 }  // namespace plumbline::diagnose

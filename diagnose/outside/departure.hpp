@@ -2,7 +2,9 @@
 /// \file
 /// Whether readings that stand off together do so by one event of the device, or each by chance.
 
-#include "diagnose/inference/likelihood.hpp"
+#include <functional>
+
+#include "diagnose/outside/outside_cause.hpp"
 
 namespace plumbline::diagnose {
 
@@ -28,5 +30,16 @@ std::vector<EventOrder> in_order_of_reading(const Measurements& measurements);
 /// By run, for every direction in which its command varies: its readings from the farthest on; an event is of
 /// up to half of them.
 std::vector<EventOrder> from_the_ends(const Measurements& measurements, const CommandStates& states);
+
+/// Readings that follow each other in some order lie anywhere, and nothing is left in the others.
+class EventDeparture final : public OutsideCause {
+ public:
+  using Orders = std::function<std::vector<EventOrder>(const Measurements&, const CommandStates&)>;
+  explicit EventDeparture(Orders orders) : orders_(std::move(orders)) {}
+  [[nodiscard]] OutsideFit fit(const Leftover& left) const override;
+
+ private:
+  Orders orders_;
+};
 
 }  // namespace plumbline::diagnose

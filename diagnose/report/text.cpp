@@ -159,7 +159,7 @@ std::string leading(const RankedCause& best) {
 }
 
 std::string verdict_in_words(const Cause& cause) {
-  if (cause.verdict == CauseVerdict::partial) return "Mostly";
+  if (cause.verdict == CauseVerdict::partial) return cause.rest->share < 0.5 ? "Mostly" : "In part";
   if (cause.too_few_readings) return "Too few readings to tell";
   return cause.verdict == CauseVerdict::identified ? "Identified" : "Ambiguous";
 }

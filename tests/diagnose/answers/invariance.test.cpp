@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <random>
 #include <set>
 #include <string>
 
+#include "diagnose/bench/decimate.hpp"
 #include "diagnose/decision/verdict.hpp"
 #include "diagnose/rig/user_effects/read_effects.hpp"
 #include "diagnose/rig/user_effects/stated_effect.hpp"
@@ -62,10 +64,11 @@ const std::vector<Candidate>& some_causes() {
   return all;
 }
 
-/// Parameters of a sizeable effect of one of some_causes().
+/// Parameters of a sizeable effect; times are in the middle of their ranges.
 std::vector<double> sizeable(const Study& study, const Candidate& candidate) {
   std::vector<double> parameters;
-  for (const ParameterRange& range : study.ranges(candidate)) parameters.push_back(0.5 * range.scale);
+  for (const ParameterRange& range : study.ranges(candidate))
+    parameters.push_back(range.may_be_nothing() ? 0.5 * range.scale : (range.low + range.high) / 2);
   return parameters;
 }
 
@@ -184,6 +187,82 @@ TEST_CASE("fewer readings make no answer surely other" * doctest::test_suite("lo
       const bool hedged = answer.verdict.verdict == CauseVerdict::unknown || answer.verdict.or_outside ||
                           answer.verdict.verdict == CauseVerdict::none;
       CHECK((answer.named().contains(truth) || hedged));
+    }
+  }
+}
+
+namespace {
+
+/// Another way to write the same readings, or less of what is known of them.
+struct Rewriting {
+  std::string name;
+  std::function<void(Experiment&)> apply;
+};
+
+Rewriting declared_noise(double factor) {
+  return {"noise declared " + std::to_string(factor) + " times as large", [factor](Experiment& experiment) {
+            experiment.noise = {1e-4 * factor, 1e-4 * factor, 0.01 * factor, 0.01 * factor, 1e-3 * factor};
+          }};
+}
+
+void without_clock(Experiment& experiment) {
+  for (Run& run : experiment.runs)
+    for (std::size_t i = 0; i < run.readings.size(); ++i) run.readings[i].t = static_cast<double>(i);
+}
+
+void every_run_in_two(Experiment& experiment) {
+  std::vector<Run> parts;
+  for (const Run& run : experiment.runs) {
+    const auto half = run.readings.begin() + static_cast<std::ptrdiff_t>(run.readings.size() / 2);
+    for (const bool later : {false, true}) {
+      parts.push_back(run);
+      parts.back().id += later ? "-later" : "-earlier";
+      parts.back().readings = later ? std::vector<Reading>(half, run.readings.end())
+                                    : std::vector<Reading>(run.readings.begin(), half);
+    }
+  }
+  experiment.runs = std::move(parts);
+}
+
+void every_reading_twice(Experiment& experiment) {
+  for (Run& run : experiment.runs) {
+    std::vector<Reading> readings;
+    for (const Reading& one : run.readings) readings.insert(readings.end(), 2, one);
+    run.readings = std::move(readings);
+  }
+  experiment = decimated(std::move(experiment));
+}
+
+/// Whether the answer is sure, and is not this cause.
+bool is_surely_other(const Answer& answer, const std::string& cause) {
+  if (answer.verdict.verdict == CauseVerdict::none) return answer.posterior.no_gap > 0.95;
+  return answer.verdict.verdict == CauseVerdict::identified && !answer.named().contains({cause});
+}
+
+}  // namespace
+
+TEST_CASE("no way of writing the readings makes an answer surely other" * doctest::test_suite("long")) {
+  const std::vector<Rewriting> all{{"without a clock", without_clock},
+                                   {"every run in two", every_run_in_two},
+                                   {"every reading twice", every_reading_twice},
+                                   declared_noise(0.05),
+                                   declared_noise(0.3),
+                                   declared_noise(3),
+                                   declared_noise(20)};
+  std::vector<Candidate> causes = some_causes();
+  causes.push_back(test::only("viscoelasticity"));
+  for (const Candidate& cause : causes) {
+    CAPTURE(cause.label());
+    Experiment experiment = sprung_links();
+    for (Run& run : experiment.runs)
+      for (Reading& reading : run.readings) reading.t *= 2;
+    experiment = test::measured(experiment, cause, sizeable(Study(experiment), cause), 21);
+    CHECK_FALSE(is_surely_other(answer_of(Study(experiment)), cause.label()));
+    for (const Rewriting& one : all) {
+      CAPTURE(one.name);
+      Experiment other = experiment;
+      one.apply(other);
+      CHECK_FALSE(is_surely_other(answer_of(Study(other)), cause.label()));
     }
   }
 }

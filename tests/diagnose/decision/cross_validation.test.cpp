@@ -6,6 +6,7 @@
 #include <mutex>
 #include <set>
 
+#include "diagnose/decision/smooth_forecast.hpp"
 #include "diagnose/inference/start.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
@@ -26,17 +27,26 @@ Experiment four_presses() {
   return experiment;
 }
 
-/// The shrink of one hypothesis, fitted to all readings first.
-std::optional<Shrink> shrink_of(const Study& study, const Candidate& candidate) {
-  const NoiseEstimate noise = declared_noise(study);
+/// One hypothesis, fitted to all readings.
+struct Fitted {
+  const Study& study;
+  NoiseEstimate noise = declared_noise(study);
   Findings findings;
-  findings.states = std::make_shared<const CommandStates>(study.experiment());
-  findings.likelihood = std::make_shared<const Likelihood>(
-      study.measurements(), *findings.states, full_model(), noise.shape, study.nominal_residual());
-  const Hypothesis whole =
-      maximised(study, *findings.likelihood, candidate, initial_guesses(study, candidate), Effort{50, 1e-3});
-  REQUIRE(whole.converged);
-  return cross_validated(study, findings, noise, whole);
+  Hypothesis whole;
+
+  Fitted(const Study& of, const Candidate& candidate) : study(of) {
+    findings.states = std::make_shared<const CommandStates>(study.experiment());
+    findings.likelihood = std::make_shared<const Likelihood>(
+        study.measurements(), *findings.states, full_model(), noise.shape, study.nominal_residual());
+    whole = maximised(study, *findings.likelihood, candidate, initial_guesses(study, candidate),
+                      Effort{50, 1e-3});
+    REQUIRE(whole.converged);
+  }
+};
+
+std::optional<Shrink> shrink_of(const Study& study, const Candidate& candidate) {
+  const Fitted fitted(study, candidate);
+  return cross_validated(study, fitted.findings, fitted.noise, fitted.whole);
 }
 
 bool is_of_blocks(const Shrink& shrink) {
@@ -216,6 +226,20 @@ TEST_CASE("a true cause predicts to the noise, a wrong one surely no better than
   const auto wrong = shrink_of(study, only("sensor_drift"));
   REQUIRE(wrong);
   CHECK(wrong->ratio_low >= 1);
+}
+
+// A run of another unloaded shape is told by no smooth function of the others' commands, and by the cause.
+TEST_CASE("a true cause says more of unseen readings than a smooth function does, a stand-in does not") {
+  const Study study(measured(four_presses(), only("joint_stiffness", 2), {0.2}, 3));
+  const auto gain_of = [&](const Candidate& candidate) {
+    const Fitted fitted(study, candidate);
+    return gain_over_smooth(study, fitted.findings, fitted.noise, fitted.whole);
+  };
+  const auto right = gain_of(only("joint_stiffness", 2)), stand_in = gain_of(only("sensor_drift"));
+  REQUIRE(right);
+  CHECK(right->ratio_high < 1);
+  REQUIRE(stand_in);
+  CHECK(stand_in->ratio_high >= 1);
 }
 
 TEST_CASE("a run's own tare is tested on blocks of the run: no other run determines it") {

@@ -75,4 +75,35 @@ TEST_CASE("a drive that is as stated has no gap") {
   CHECK(diagnosis.causes.empty());
 }
 
+/// A pendulum that is let go far from its command, and swings in fast; the log begins after `cut` readings.
+Study released(double delay, std::size_t cut) {
+  Bench bench;
+  bench.name = "released";
+  bench.nominal = planted_drive(Term::command_delay, 0);
+  bench.sigma = 5e-4;
+  unsigned seed = 7;
+  for (const double gain : {8.0, 16.0}) {
+    MotionLog log = test_log(planted_drive(Term::command_delay, delay), gain, bench.sigma, seed++, 0.4);
+    for (std::vector<double>* list : {&log.time, &log.command, &log.position, &log.supply})
+      list->erase(list->begin(), list->begin() + static_cast<std::ptrdiff_t>(cut));
+    log.powered.erase(log.powered.begin(), log.powered.begin() + static_cast<std::ptrdiff_t>(cut));
+    bench.logs.push_back(std::move(log));
+  }
+  return Study(bench);
+}
+
+TEST_CASE("a log that begins amid a transient has the verdict of every other cut of it") {
+  for (const std::size_t cut : {0, 3, 40}) {
+    CAPTURE(cut);
+    const Diagnosis nothing = diagnose_motion(released(0, cut));
+    INFO(as_text(nothing));
+    CHECK(nothing.verdict == diagnose::CauseVerdict::none);
+    const Diagnosis late = diagnose_motion(released(0.03, cut));
+    INFO(as_text(late));
+    REQUIRE(!late.causes.empty());
+    REQUIRE(late.causes.front().effects.size() == 1);
+    CHECK(late.causes.front().effects.front().id == "command_delay");
+  }
+}
+
 }  // namespace plumbline::motion

@@ -18,8 +18,9 @@ inline Drive<double> planted_drive(Term term, double value) {
   return drive;
 }
 
-/// Four seconds at 100 Hz, from rest; readings with this noise, rad.
-inline MotionLog test_log(const Drive<double>& drive, double gain, double sigma, unsigned seed = 1) {
+/// Four seconds at 100 Hz, from rest at an angle; readings with this noise, rad.
+inline MotionLog test_log(const Drive<double>& drive, double gain, double sigma, unsigned seed = 1,
+                          double from = 0) {
   MotionLog log;
   log.name = "test";
   log.gain = 0.16 * gain, log.inertia = 0.0072, log.gravity = 0.59;
@@ -30,7 +31,7 @@ inline MotionLog test_log(const Drive<double>& drive, double gain, double sigma,
     log.supply.push_back(12), log.powered.push_back(true);
   }
   log.position.assign(log.time.size(), 0);
-  log.position = roll_out(drive, log, {0, 0, log.time.size()}, 0.0, 0.0);
+  log.position = angles_of(drive, log, {0, 0, log.time.size()}, from, 0.0);
   std::mt19937 generator(seed);
   std::normal_distribution<double> noise(0, sigma);
   if (sigma > 0)

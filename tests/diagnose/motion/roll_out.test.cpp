@@ -23,8 +23,9 @@ TEST_CASE("a delay of whole readings is a command that is shifted by them") {
   MotionLog shifted = log;
   for (std::size_t k = 0; k < log.time.size(); ++k) shifted.command[k] = log.command[k < 3 ? 0 : k - 3];
   const Segment whole{0, 0, log.time.size()};
-  const std::vector<double> late = roll_out(planted_drive(Term::command_delay, 0.03), log, whole, 0.1, 0.0),
-                            other = roll_out(planted_drive(Term::command_delay, 0), shifted, whole, 0.1, 0.0);
+  const std::vector<double> late = angles_of(planted_drive(Term::command_delay, 0.03), log, whole, 0.1, 0.0),
+                            other =
+                                angles_of(planted_drive(Term::command_delay, 0), shifted, whole, 0.1, 0.0);
   // Stamps are multiples of 10 ms to rounding alone, which moves a jump of the command by so little.
   for (std::size_t k = 0; k < late.size(); ++k) CHECK(late[k] == doctest::Approx(other[k]).epsilon(1e-9));
 }
@@ -38,16 +39,14 @@ TEST_CASE("sensitivities are those of differences") {
     CAPTURE(static_cast<int>(term));
     Drive<double> drive = planted_drive(Term::loss_driven, 0.2);
     drive[Term::command_delay] = 0.0213, drive[Term::loss_driving] = 0.1, drive[Term::drive_lag] = 0.01;
-    Drive<Number> carried;
-    for (std::size_t t = 0; t < static_cast<std::size_t>(Term::count); ++t)
-      carried[static_cast<Term>(t)] = Number(drive[static_cast<Term>(t)]);
+    Drive<Number> carried = carried_by<Number>(drive);
     carried[term].derivative(0) = 1;
-    const std::vector<Number> angle = roll_out(carried, log, part, Number(0.1), Number(0));
+    const std::vector<Number> angle = angles_of(carried, log, part, Number(0.1), Number(0));
     constexpr double step = 1e-6;
     Drive<double> more = drive, less = drive;
     more[term] += step, less[term] -= step;
     const double difference =
-        (roll_out(more, log, part, 0.1, 0.0).back() - roll_out(less, log, part, 0.1, 0.0).back()) /
+        (angles_of(more, log, part, 0.1, 0.0).back() - angles_of(less, log, part, 0.1, 0.0).back()) /
         (2 * step);
     // Central differences: rounding 1e-16 / 1e-6, and steps in which friction changes sides.
     CHECK(angle.back().derivative(0) == doctest::Approx(difference).epsilon(1e-4));

@@ -2,36 +2,20 @@
 
 #include <doctest/doctest.h>
 
-#include <random>
-
-#include "diagnose/inference/study.hpp"
 #include "diagnose/priors.hpp"
-#include "tests/diagnose/bench.hpp"
+#include "tests/diagnose/outside/drawn_bench.hpp"
 
 using namespace plumbline;
 using namespace plumbline::diagnose;
 
 namespace {
 
-/// White noise on a bench of four runs, and some values far off.
-struct Left {
-  Study study{bench()};
-  VectorXd values = VectorXd::Zero(static_cast<Eigen::Index>(study.measurements().size()));
-
-  static Experiment bench() {
-    Experiment experiment = test::three_links();
-    for (int run = 0; run < 4; ++run)
-      test::press(experiment, {0.3, -0.5, 0.4}, {-0.01 * (run + 3), 0}, 20, false);
-    return experiment;
-  }
-  Left() {
-    std::mt19937 engine(7);
-    std::normal_distribution<double> normal;
-    for (double& one : values) one = normal(engine);
-  }
+/// White noise, and some values far off.
+struct Left : test::DrawnBench {
+  Left() : DrawnBench(7) {}
   /// \param off  values of the flat list that lie 30 sigma off
   [[nodiscard]] double factor(const std::vector<Eigen::Index>& off) const {
-    VectorXd moved = values;
+    VectorXd moved = residual;
     NoiseEstimate noise{{}, NoiseShape(study.measurements())};
     for (const Eigen::Index i : off) moved(i) = 30, noise.shape.outlier[static_cast<std::size_t>(i)] = true;
     for (const Block& block : study.measurements().blocks())

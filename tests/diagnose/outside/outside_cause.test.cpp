@@ -6,34 +6,24 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <numbers>
 #include <random>
 
+#include "diagnose/inference/size_prior.hpp"
 #include "tests/close_to.hpp"
-#include "tests/diagnose/bench.hpp"
+#include "tests/diagnose/outside/drawn_bench.hpp"
 
 using namespace plumbline;
 using namespace plumbline::diagnose;
 
 namespace {
 
-/// White noise on four runs, with something outside of the catalogue in one channel of the first.
-struct Outside {
-  Study study{bench()};
+/// White noise, with something outside of the catalogue in one channel of the first run.
+struct Outside : test::DrawnBench {
   CommandStates states{study.experiment()};
-  VectorXd residual = VectorXd::Zero(static_cast<Eigen::Index>(study.measurements().size()));
   NoiseShape shape{study.measurements()};
 
-  static Experiment bench() {
-    Experiment experiment = test::three_links();
-    for (int run = 0; run < 4; ++run)
-      test::press(experiment, {0.3, -0.5, 0.4}, {-0.01 * (run + 3), 0}, 20, false);
-    return experiment;
-  }
-  Outside() {
-    std::mt19937 engine(17);
-    std::normal_distribution<double> normal;
-    for (double& one : residual) one = normal(engine);
-  }
+  Outside() : DrawnBench(17) {}
   void change(const std::function<double(std::size_t reading)>& by, bool outliers = false) {
     const Series& first = study.measurements().series().front();
     for (std::size_t i = 0; i < first.readings.size(); ++i) {
@@ -102,15 +92,23 @@ TEST_CASE("what a cause outside does is most probable in its own row") {
   }
 }
 
-TEST_CASE("the half-Cauchy prior of sizes is one over all sizes") {
+TEST_CASE("the prior of sizes is one over all sizes, and what is smaller than one of them is its sum") {
   double sum = 0;
-  for (int k = -60; k <= 60; ++k) sum += std::exp(log_size_prior(std::exp2(k)));
-  // The trapezoidal rule on a smooth function of the logarithm that decays at both ends.
+  for (int k = -60; k <= 60; ++k) {
+    sum += std::exp(log_size_prior(std::exp2(k)));
+    // The midpoint rule on a smooth function of the logarithm, up to half a step above.
+    CHECK(sum == close_to(std::exp(log_smaller(std::exp2(k + 0.5)))).epsilon(2e-2));
+  }
   CHECK(sum == close_to(1).epsilon(1e-3));
+  double on_the_grid = 0;
+  for (const GridSize& one : size_grid()) on_the_grid += std::exp(one.log_prior);
+  CHECK(on_the_grid == close_to(1).epsilon(1e-12));
 }
 
-TEST_CASE("a cause outside pays for being small") {
-  for (const double size : {0.001, 0.01, 0.1}) CHECK(log_size_prior(size) < log_size_prior(10 * size));
-  for (const double size : {0.2, 0.5})
-    CHECK(log_size_prior(size) == close_to(log_size_prior(1 / size)).epsilon(1e-12));
+TEST_CASE("any order of magnitude of a size is as probable from small ones to typical ones, and no other") {
+  const double middle = std::sqrt(smallest_typical);
+  for (const double factor : {1.5, 3.0, 10.0, 100.0})  // symmetric about the middle, by the logarithm
+    CHECK(log_size_prior(middle * factor) == close_to(log_size_prior(middle / factor)).epsilon(1e-12));
+  CHECK(log_size_prior(1) > log_size_prior(middle) - std::numbers::ln2);  // half at the ends of that range
+  CHECK(log_size_prior(100) < log_size_prior(1) - std::log(30));
 }

@@ -3,16 +3,18 @@ posterior and the decision, in NumPy, from what the rig predicts beside each hyp
 
     decide.test.py HYPOTHESES FOLDER...   compares with the program; at least 95 % have to agree
 """
+import itertools
 import json
 import subprocess
 import sys
 
 import numpy as np
+from scipy.stats import norm
 
 AMPLITUDE = np.array([0, 0.01, 0.02, 0.04, 0.08, 0.16, 0.32, 0.64, 1.28])
 LENGTH = [0.15, 0.4, 1.0]
 CORRELATION = np.array([0, 0.35, 0.65, 0.85, 0.95])
-NO_GAP, OUTSIDE, TYPICAL = 0.3, 0.1, 0.1
+NO_GAP, OUTSIDE, TYPICAL, SMALLEST = 0.3, 0.1, 0.1, 1 / 27
 SHARES = {"smooth": 0.3, "local": 0.2, "ends": 0.1, "step": 0.1, "one channel": 0.1, "scatter": 0.1, "part": 0.1}
 SCATTER_BESIDE, SCATTER = 0.1, 4
 AT_REST = 0.2  # of the variance of the discrepancy
@@ -36,11 +38,24 @@ with np.errstate(divide="ignore"):
 LOG_CORRELATION = log_normalised(-((CORRELATION / 0.3) ** 2) / 2)
 
 
-def log_size(size):
+def log_half_cauchy(size):
     """Half-Cauchy probability of a size, over the typical one, within a factor of the square root of two."""
-    size = np.asarray(size, float)
+    return np.log(2 * np.log(2) / np.pi * size / (1 + size**2))
+
+
+def log_size(size):
+    """Probability of a size, over the typical one, within the same factor: even from SMALLEST to one, by the logarithm."""
     with np.errstate(divide="ignore"):
-        return np.log(2 * np.log(2) / np.pi * size / (1 + size**2))
+        return np.log(np.log(2) * (1 - SMALLEST) / -np.log(SMALLEST) * size / ((size + SMALLEST) * (1 + size)))
+
+
+def log_smaller(size):
+    """Probability that a size is smaller than this one."""
+    return np.log(np.log1p(size * (1 - SMALLEST) / (SMALLEST * (1 + size))) / -np.log(SMALLEST))
+
+
+SIZES = 3.0 ** np.arange(-4, 4)
+LOG_SIZES = log_normalised(log_size(SIZES))
 
 
 class Outliers:
@@ -189,7 +204,8 @@ class Block:
         for white, *_ in self.cells:
             step = white @ column
             information, along = step @ step / self.scale**2, step @ (white @ residual[self.kept]) / self.scale**2
-            terms = [log_size(w / self.typical) + along**2 / (information + w**-2) / 2 - np.log1p(information * w**2) / 2 for w in width]
+            terms = [log_smaller(width[0] / np.sqrt(2) / self.typical) + 0 * along]
+            terms += [log_size(w / self.typical) + along**2 / (information + w**-2) / 2 - np.log1p(information * w**2) / 2 for w in width]
             gain.append([log_sum([t[s] for t in terms]) for s in range(len(self.scale))])
         return log_sum(noise + np.array(gain)) - log_sum(noise)
 
@@ -223,7 +239,8 @@ class Likelihood:
         count = np.array([len(b.rows) for b in self.blocks])
         self.share = count / count.sum()
         self.typical = np.exp(self.share @ np.log([b.typical / b.unit for b in self.blocks]))
-        self.log_outside = log_size(AMPLITUDE / self.typical)
+        self.log_outside = np.append(log_smaller(AMPLITUDE[1] / np.sqrt(2) / self.typical), log_size(AMPLITUDE[1:] / self.typical))
+        self.log_imitated = np.append(-np.inf, log_half_cauchy(AMPLITUDE[1:] / self.typical))
         periodic = np.array(data["periodic"]).reshape(-1, len(self.outlier)).T
         self.periodic, self.weight = periodic, np.where(self.outlier, 0, 1 / np.array(data["relative"]))
 
@@ -281,9 +298,15 @@ class Likelihood:
 
 
 def log_volume(parameters, gradient, information):
-    """The share of the prior that the readings leave, by Laplace's method."""
-    inside, widths, total = [], [], 0.0
+    """The share of the prior that the readings leave, by Laplace's method; the sizes of effects summed out on a grid."""
+    total, inside, widths, sized, bounded = 0.0, [], [], [], []
     for p, one in enumerate(parameters):
+        if one["prior"] == "size":
+            if one["at_bound"]:
+                bounded.append(p)
+            elif information[p, p] > 0:
+                sized.append(p)
+            continue
         sides = 1 if one["low"] < 0 else 2
         x = one["value"] / one["scale"]
         if one["prior"] == "gaussian":
@@ -299,11 +322,32 @@ def log_volume(parameters, gradient, information):
             inside.append(p)
             widths.append(1 / (peak * np.sqrt(2 * np.pi)))
             total += density + np.log(2 * np.pi) / 2 + np.log(widths[-1])
-    if inside:
+    of_sizes = information[np.ix_(sized, sized)]
+    if inside:  # the other parameters are integrated over first
         unit = np.array(widths)
-        precisions = np.linalg.eigvalsh(unit[:, None] * information[np.ix_(inside, inside)] * unit)
-        total -= 0.5 * np.log1p(np.maximum(precisions, 0)).sum()
-    return total
+        own = np.eye(len(unit)) + unit[:, None] * information[np.ix_(inside, inside)] * unit
+        cross = unit[:, None] * information[np.ix_(inside, sized)]
+        total -= 0.5 * np.linalg.slogdet(own)[1]
+        of_sizes = of_sizes - cross.T @ np.linalg.solve(own, cross)
+    effects = sorted({parameters[p]["effect"] for p in sized + bounded})
+    terms = []
+    for choice in itertools.product(range(len(SIZES)), repeat=len(effects)):
+        size = {e: SIZES[k] for e, k in zip(effects, choice)}
+        width = np.array([size[parameters[p]["effect"]] * parameters[p]["scale"] for p in sized])
+        term = sum(LOG_SIZES[k] for k in choice)
+        for p in bounded:
+            w, sides = size[parameters[p]["effect"]] * parameters[p]["scale"], 1 if parameters[p]["low"] < 0 else 2
+            log_density = np.log(sides / (w * np.sqrt(2 * np.pi))) - (parameters[p]["value"] / w) ** 2 / 2
+            term -= np.logaddexp(0, np.log(max(abs(gradient[p]), 1e-300)) - log_density)
+        if sized:
+            at = np.array([parameters[p]["value"] for p in sized])
+            precision = np.eye(len(at)) + width[:, None] * of_sizes * width
+            mean = np.linalg.solve(precision, width * (of_sizes @ at))  # in widths
+            term -= (at / width) @ mean / 2 + 0.5 * np.linalg.slogdet(precision)[1]
+            spread = np.sqrt(np.diag(np.linalg.inv(precision)))
+            term += sum(np.log(2) + norm.logcdf(m / s) for p, m, s in zip(sized, mean, spread) if parameters[p]["low"] >= 0)
+        terms.append(term)
+    return total + log_sum(terms)
 
 
 def departure(data, likelihood, z, orders):
@@ -345,7 +389,7 @@ def part_scatters(factors):
 def split(way, size, own, typical):
     """Between the cause and one outside, where a share of that size is left to what the catalogue does not have."""
     size = max(1e-3, size)
-    odds = LOG_LISTED[1] + AMPLITUDE[1] / 0.1 - size / 0.1 - log_size(size / typical) + np.log((1 - OUTSIDE) / OUTSIDE)
+    odds = LOG_LISTED[1] + AMPLITUDE[1] / 0.1 - size / 0.1 - log_half_cauchy(size / typical) + np.log((1 - OUTSIDE) / OUTSIDE)
     prior, evidence, discrepancy = way
     return [(prior - np.log1p(np.exp(odds)), evidence, discrepancy, "outside"), (prior - np.log1p(np.exp(-odds)), evidence, discrepancy, own)]
 
@@ -373,8 +417,9 @@ def ways(data, likelihood):
             some = split((base, *whole), one["discrepancy"], own, likelihood.typical) if own else [(base, *whole, "outside")]
         else:
             some = [(base + np.log(1 - OUTSIDE), *whole, own)]
-            some.append((base + np.log(OUTSIDE), volume + log_sum(look.by_amplitude + outside),
-                         expected(look.by_amplitude, outside, look.discrepancy), "outside"))
+            imitated = likelihood.log_imitated
+            some.append((base + np.log(OUTSIDE), volume + log_sum(look.by_amplitude + imitated),
+                         expected(look.by_amplitude, imitated, look.discrepancy), "outside"))
             some += split((base + np.log(SCATTER_BESIDE), volume + look.scatter, 0), look.scatter_size, own, likelihood.typical)
         result += [(*way[:3], "outside") if one["untimed"] else way for way in some]
         one["leaves_nothing"] = (np.exp(log_normalised(look.by_amplitude + LOG_LISTED))[0] > 0.5

@@ -58,15 +58,16 @@ Json runs(const Experiment& experiment) {
   return all;
 }
 
-Json parameter(const ParameterRange& range, double value, bool at_bound) {
+Json parameter(std::size_t effect, const ParameterRange& range, double value, bool at_bound) {
   const bool gaussian = range.tolerance > 0;
-  const bool cauchy =
-      range.may_be_nothing() || range.is_onset() || range.coordinate == Coordinate::reciprocal;
+  const bool size = range.may_be_nothing() || range.coordinate == Coordinate::reciprocal;
   return {{"value", value},
           {"at_bound", at_bound},
-          {"prior", gaussian ? "gaussian"
-                    : cauchy ? "cauchy"
-                             : "uniform"},
+          {"effect", effect},
+          {"prior", gaussian           ? "gaussian"
+                    : size             ? "size"
+                    : range.is_onset() ? "cauchy"
+                                       : "uniform"},
           {"scale", gaussian ? range.tolerance : range.scale},
           {"low", range.low},
           {"high", range.high}};
@@ -83,9 +84,11 @@ Json hypothesis(const Study& study, const Findings& findings, const Hypothesis& 
     outside = outside || at.effect->outside;
     effects.push_back({{"label", at.label()}, {"tolerance", tolerance}, {"outside", at.effect->outside}});
   }
-  const std::vector<ParameterRange> ranges = study.ranges(one.candidate);
-  for (std::size_t p = 0; p < ranges.size(); ++p)
-    parameters.push_back(parameter(ranges[p], one.parameters[p], one.at_bound[p]));
+  for (std::size_t e = 0; e < one.candidate.effects.size(); ++e)
+    for (const ParameterRange& range : study.ranges(one.candidate.effects[e])) {
+      const std::size_t p = parameters.size();
+      parameters.push_back(parameter(e, range, one.parameters[p], one.at_bound[p]));
+    }
   Json result{{"effects", effects},
               {"parameters", parameters},
               {"residual", list(one.residual)},

@@ -1,0 +1,24 @@
+#pragma once
+/// \file
+/// The prior of sizes, over their typical size: one law for the effects of the catalogue and for causes
+/// outside of it (docs/how-it-decides.md).
+
+#include <vector>
+
+namespace plumbline::diagnose {
+
+/// From so much of the typical size on any order of magnitude is as probable, up to the typical size.
+inline constexpr double smallest_typical = 1.0 / 27;
+
+/// Logarithm of the probability that a size is smaller than this one.
+double log_smaller(double size);
+
+/// A size on a grid, with the logarithm of its prior probability.
+struct GridSize {
+  double size, log_prior;
+};
+
+/// Sizes of equal ratios, from where smaller ones are rare to where larger ones are.
+const std::vector<GridSize>& size_grid();
+
+}  // namespace plumbline::diagnose

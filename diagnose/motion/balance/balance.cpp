@@ -1,0 +1,289 @@
+#include "diagnose/motion/balance/balance.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <plumbline/base/error.hpp>
+#include <plumbline/base/parallel.hpp>
+
+namespace plumbline::motion {
+namespace {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+/// The mean of both sides, and the blocks of the intervals, s.
+constexpr double mean_of_balance = 0.1, block_duration = 0.5;
+
+/// Half the window of derivatives, s: of seven readings at least.
+double half_window_of(const TorqueLog& log) {
+  const double step = (log.time.back() - log.time.front()) / static_cast<double>(log.time.size() - 1);
+  return std::max(0.05, 4 * step);
+}
+
+/// Angle, speed and acceleration at one time.
+struct Derivatives {
+  VectorXd q, v, a;
+};
+
+/// The polynomial of the fourth degree through the readings within half a window.
+Derivatives derivatives_at(const TorqueLog& log, double half_window, double t) {
+  const auto first = std::lower_bound(log.time.begin(), log.time.end(), t - half_window) - log.time.begin();
+  const auto end = std::upper_bound(log.time.begin(), log.time.end(), t + half_window) - log.time.begin();
+  constexpr Index powers = 5;
+  const Index n = end - first;
+  MatrixXd design(n, powers);
+  for (Index k = 0; k < n; ++k) {
+    const double x = (log.time[static_cast<std::size_t>(first + k)] - t) / half_window;
+    for (Index p = 0; p < powers; ++p) design(k, p) = std::pow(x, p);
+  }
+  const MatrixXd found = design.colPivHouseholderQr().solve(log.angle.middleRows(first, n));
+  return {found.row(0).transpose(), found.row(1).transpose() / half_window,
+          2 * found.row(2).transpose() / (half_window * half_window)};
+}
+
+/// Torques between readings, each joint's a column.
+VectorXd torque_at(const TorqueLog& log, double t) {
+  const auto after = std::upper_bound(log.time.begin() + 1, log.time.end() - 1, t) - log.time.begin();
+  const double t0 = log.time[static_cast<std::size_t>(after - 1)],
+               t1 = log.time[static_cast<std::size_t>(after)];
+  const double share = std::clamp((t - t0) / (t1 - t0), 0.0, 1.0);
+  return (1 - share) * log.torque.row(after - 1).transpose() + share * log.torque.row(after).transpose();
+}
+
+/// Means of the balance over stretches of a log: columns, and torques for each lead that is tried.
+struct Stretches {
+  std::vector<double> time;
+  std::vector<MatrixXd> columns;              ///< joints by terms
+  std::vector<std::vector<VectorXd>> torque;  ///< by lead, then by stretch
+};
+
+const std::vector<double>& leads() {
+  static const std::vector<double> all = [] {
+    std::vector<double> some;
+    for (int ms = -20; ms <= 20; ms += 2) some.push_back(1e-3 * ms);
+    return some;
+  }();
+  return all;
+}
+
+Stretches stretches_of(const diagnose::NominalArm& arm, const TorqueLog& log) {
+  constexpr int points = 10;  // of a mean
+  Stretches all;
+  all.torque.resize(leads().size());
+  const double half_window = half_window_of(log);
+  const double first = log.time.front() + half_window + leads().back(),
+               last = log.time.back() - half_window - leads().back();
+  for (double begin = first; begin + mean_of_balance <= last; begin += mean_of_balance) {
+    all.time.push_back(begin);
+    all.columns.emplace_back();
+    for (std::vector<VectorXd>& one : all.torque) one.emplace_back(VectorXd::Zero(log.torque.cols()));
+    for (int i = 0; i < points; ++i) {
+      const double t = begin + (i + 0.5) / points * mean_of_balance;
+      const Derivatives at = derivatives_at(log, half_window, t);
+      const MatrixXd columns = balance_columns(arm, at.q, at.v, at.a) / points;
+      all.columns.back() = i == 0 ? columns : MatrixXd(all.columns.back() + columns);
+      for (std::size_t l = 0; l < leads().size(); ++l)
+        all.torque[l].back() += torque_at(log, t - leads()[l]) / points;
+    }
+  }
+  return all;
+}
+
+/// The terms that the motions determine, and how the others stand in them.
+struct Basis {
+  std::vector<Index> terms;
+  MatrixXd grouping;  ///< of all terms, by the determined ones
+};
+
+Basis basis_of(const MatrixXd& normal) {
+  constexpr double least = 1e-6;  // of a column beside those before it, over itself
+  Basis basis;
+  for (Index k = 0; k < normal.cols(); ++k) {
+    if (!(normal(k, k) > 0)) continue;
+    const MatrixXd own = normal(basis.terms, basis.terms);
+    const VectorXd across = normal(basis.terms, std::vector<Index>{k});
+    const double left =
+        basis.terms.empty() ? normal(k, k) : normal(k, k) - across.dot(own.ldlt().solve(across));
+    if (left > least * normal(k, k)) basis.terms.push_back(k);
+  }
+  const Eigen::LDLT<MatrixXd> own(MatrixXd(normal(basis.terms, basis.terms)));
+  basis.grouping = own.solve(MatrixXd(normal(basis.terms, Eigen::all)));
+  constexpr double rounding = 1e-9;
+  basis.grouping = basis.grouping.unaryExpr([](double x) { return std::abs(x) < rounding ? 0.0 : x; });
+  return basis;
+}
+
+/// Least squares over all logs at one lead.
+struct Solution {
+  VectorXd value;
+  VectorXd square;  ///< mean over stretches, by joint
+};
+
+class Regression {
+ public:
+  Regression(const TorqueBench& bench) : joints_(static_cast<Index>(bench.arm.arm.size())) {
+    logs_.resize(bench.logs.size());
+    in_parallel(logs_.size(), available_threads(),
+                [&](std::size_t i) { logs_[i] = stretches_of(bench.arm, bench.logs[i]); });
+    weight_ = VectorXd::Ones(joints_);
+    basis_ = basis_of(normal());
+    if (basis_.terms.empty())
+      throw Error(bench.name, "no motion that determines a number", "joints that move");
+  }
+  [[nodiscard]] const Basis& basis() const { return basis_; }
+
+  /// The lead with which least is left; the joints then weigh by what is left of them.
+  std::size_t settle() {
+    std::size_t best = 0;
+    for (int round = 0; round < 2; ++round) {
+      double least = std::numeric_limits<double>::infinity();
+      VectorXd square;
+      for (std::size_t l = 0; l < leads().size(); ++l) {
+        const VectorXd here = solved(l).square;
+        if (const double sum = here.cwiseProduct(weight_).sum(); sum < least)
+          least = sum, best = l, square = here;
+      }
+      weight_ = square.cwiseMax(1e-12).cwiseInverse();
+    }
+    return best;
+  }
+  [[nodiscard]] Solution solved(std::size_t lead) const {
+    const MatrixXd own = normal()(basis_.terms, basis_.terms);
+    VectorXd right = VectorXd::Zero(own.cols());
+    each(
+        [&](const MatrixXd& columns, const VectorXd& torque) {
+          right += MatrixXd(columns(Eigen::all, basis_.terms)).transpose() * weight_.cwiseProduct(torque);
+        },
+        lead);
+    Solution solution{own.ldlt().solve(right), VectorXd::Zero(joints_)};
+    double count = 0;
+    each(
+        [&](const MatrixXd& columns, const VectorXd& torque) {
+          solution.square += (torque - columns(Eigen::all, basis_.terms) * solution.value).cwiseAbs2();
+          ++count;
+        },
+        lead);
+    solution.square /= count;
+    return solution;
+  }
+  /// Of the values, where stretches of a block are not independent.
+  [[nodiscard]] MatrixXd covariance(const Solution& solution, std::size_t lead) const {
+    const MatrixXd own = normal()(basis_.terms, basis_.terms);
+    MatrixXd scatter = MatrixXd::Zero(own.rows(), own.cols());
+    for (const Stretches& log : logs_) {
+      VectorXd sum = VectorXd::Zero(own.cols());
+      double begun = log.time.empty() ? 0 : log.time.front();
+      for (std::size_t k = 0; k < log.time.size(); ++k) {
+        if (log.time[k] - begun >= block_duration) {
+          scatter += sum * sum.transpose();
+          sum.setZero(), begun = log.time[k];
+        }
+        const MatrixXd columns = log.columns[k](Eigen::all, basis_.terms);
+        sum += columns.transpose() * weight_.cwiseProduct(log.torque[lead][k] - columns * solution.value);
+      }
+      scatter += sum * sum.transpose();
+    }
+    const MatrixXd inverse = own.ldlt().solve(MatrixXd::Identity(own.rows(), own.cols()));
+    return inverse * scatter * inverse;
+  }
+
+ private:
+  template <class Visit>
+  void each(const Visit& visit, std::size_t lead) const {
+    for (const Stretches& log : logs_)
+      for (std::size_t k = 0; k < log.time.size(); ++k) visit(log.columns[k], log.torque[lead][k]);
+  }
+  [[nodiscard]] MatrixXd normal() const {
+    MatrixXd sum;
+    each(
+        [&](const MatrixXd& columns, const VectorXd&) {
+          if (sum.size() == 0) sum = MatrixXd::Zero(columns.cols(), columns.cols());
+          sum += columns.transpose() * weight_.asDiagonal() * columns;
+        },
+        0);
+    return sum;
+  }
+
+  Index joints_;
+  std::vector<Stretches> logs_;
+  VectorXd weight_;
+  Basis basis_;
+};
+
+/// "Izz(1) + 0.09 m(2)"
+std::string name_of(const Basis& basis, std::size_t row, const std::vector<BalanceTerm>& terms) {
+  std::string name = terms[static_cast<std::size_t>(basis.terms[row])].name;
+  for (Index k = 0; k < basis.grouping.cols(); ++k) {
+    const double share = basis.grouping(static_cast<Index>(row), k);
+    if (k == basis.terms[row] || share == 0) continue;
+    name += fmt::format(" {} {}{}", share < 0 ? "-" : "+",
+                        std::abs(std::abs(share) - 1) < 1e-6 ? "" : fmt::format("{:.4g} ", std::abs(share)),
+                        terms[static_cast<std::size_t>(k)].name);
+  }
+  return name;
+}
+
+TorqueLeft left_of(const diagnose::NominalArm& arm, const TorqueLog& log, bool held_out, std::size_t lead,
+                   const VectorXd& stated, const VectorXd& found) {
+  const Stretches all = stretches_of(arm, log);
+  VectorXd whole = VectorXd::Zero(log.torque.cols()), model = whole, rest = whole;
+  for (std::size_t k = 0; k < all.time.size(); ++k) {
+    const VectorXd& torque = all.torque[lead][k];
+    whole += torque.cwiseAbs2();
+    model += (torque - all.columns[k] * stated).cwiseAbs2();
+    rest += (torque - all.columns[k] * found).cwiseAbs2();
+  }
+  const auto root = [&](const VectorXd& sum) {
+    const VectorXd mean = (sum / std::max<double>(1, static_cast<double>(all.time.size()))).cwiseSqrt();
+    return std::vector<double>(mean.begin(), mean.end());
+  };
+  return {log.name, held_out, root(whole), root(model), root(rest)};
+}
+
+/// What the model's masses weigh as points at their centres: the inertias that their first moments imply.
+VectorXd with_point_inertias(const diagnose::NominalArm& arm, VectorXd stated) {
+  for (std::size_t i = 0; i < arm.arm.size(); ++i) {
+    const Eigen::Vector3d c = arm.arm.links[i].centre;
+    const Eigen::Matrix3d inertia =
+        arm.arm.links[i].mass * (c.squaredNorm() * Eigen::Matrix3d::Identity() - c * c.transpose());
+    const auto at = static_cast<Index>(10 * i + 4);
+    stated.segment(at, 6) << inertia(0, 0), inertia(1, 1), inertia(2, 2), inertia(0, 1), inertia(0, 2),
+        inertia(1, 2);
+  }
+  return stated;
+}
+
+}  // namespace
+
+Balance balance_of(const TorqueBench& bench) {
+  Regression regression(bench);
+  const std::size_t lead = regression.settle();
+  const Solution solution = regression.solved(lead);
+  const MatrixXd covariance = regression.covariance(solution, lead);
+  const Basis& basis = regression.basis();
+  const std::vector<BalanceTerm> terms = balance_terms(bench.arm.arm.size());
+  const VectorXd stated = with_point_inertias(bench.arm, stated_terms(bench.arm));
+  Balance result;
+  result.name = bench.name;
+  result.lead = leads()[lead];
+  VectorXd found = VectorXd::Zero(static_cast<Index>(terms.size()));
+  constexpr double two_sided = 1.959964;  // 95 %
+  for (std::size_t b = 0; b < basis.terms.size(); ++b) {
+    const auto row = static_cast<Index>(b);
+    const double value = solution.value(row), half = two_sided * std::sqrt(covariance(row, row));
+    found(basis.terms[b]) = value;
+    result.numbers.push_back({name_of(basis, b, terms), terms[static_cast<std::size_t>(basis.terms[b])].unit,
+                              value, value - half, value + half, basis.grouping.row(row).dot(stated)});
+  }
+  for (const bool held_out : {false, true})
+    for (const TorqueLog& log : held_out ? bench.held_out : bench.logs) {
+      result.left.push_back(left_of(bench.arm, log, held_out, lead, stated, found));
+      ++result.logs, result.readings += log.time.size();
+    }
+  return result;
+}
+
+}  // namespace plumbline::motion

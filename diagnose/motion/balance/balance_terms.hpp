@@ -1,0 +1,30 @@
+#pragma once
+/// \file
+/// The torque of an arm's drives, linear in its inertias and frictions.
+
+#include <string>
+#include <vector>
+
+#include "diagnose/bench/nominal_arm.hpp"
+
+namespace plumbline::motion {
+
+/// A number that the torque is linear in.
+struct BalanceTerm {
+  std::string name;  ///< "m(2)", "mx(2)", "Izz(1)", "dry friction(1)"
+  std::string unit;
+};
+
+/// Of every link: mass, first moments about the origin of its frame (on its joint), moments and products of
+/// inertia about that origin, in the axes of the link. Of every joint: armature, viscous and dry friction,
+/// and a torque that always acts. Links first, from the base on.
+std::vector<BalanceTerm> balance_terms(std::size_t joints);
+
+/// Generalised forces of the drives for each term at one: rows are joints, columns terms.
+Eigen::MatrixXd balance_columns(const diagnose::NominalArm& arm, const Eigen::VectorXd& q,
+                                const Eigen::VectorXd& v, const Eigen::VectorXd& a);
+
+/// Masses and first moments that a model states; zero for all else.
+Eigen::VectorXd stated_terms(const diagnose::NominalArm& arm);
+
+}  // namespace plumbline::motion

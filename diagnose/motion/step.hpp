@@ -1,0 +1,165 @@
+#pragma once
+/// \file
+/// One step in time of a driven joint: half a step of the angles, a whole one of the speeds, half a step of
+/// the angles (Störmer-Verlet). Friction is that of Moreau's scheme of impulses: what sticks has the speed
+/// zero to the last bit.
+
+#include "diagnose/motion/drive.hpp"
+
+namespace plumbline::motion {
+
+/// Forces of a step, at its middle.
+template <class Real>
+struct Forces {
+  Real motor;    ///< torque of the motor at rest
+  Real against;  ///< weight, spring and offset
+  Real damping;  ///< torque over speed, all that is proportional to it
+};
+
+template <class Real>
+Forces<Real> forces_at(const Drive<Real>& drive, const Imposed<Real>& now, const Real& acting,
+                       const Real& q) {
+  using std::sin;
+  const Real angle = (1 + drive[Term::encoder_scale]) * q + drive[Term::zero];
+  return {now.powered ? drive[Term::stall_torque] * now.supply * acting : Real(0),
+          now.gravity * (1 + drive[Term::load_mass]) * sin(angle) + drive[Term::spring] * angle -
+              drive[Term::torque_offset],
+          drive[Term::viscous] + drive[now.powered ? Term::back_emf : Term::brake]};
+}
+
+/// Friction while sliding. A gear loses a share of the torque that passes it, another one by the direction in
+/// which power flows (Hamon, Gautier and Garrec 2010).
+/// \param way     1 or -1
+/// \param speed   at the begin of the step
+/// \param passed  torque through the gear without the loss
+template <class Real>
+Real friction_of(const Drive<Real>& drive, double way, const Real& speed, const Real& passed) {
+  using std::abs, std::exp;
+  const Real& loss = drive[value_of(passed) * way > 0 ? Term::loss_driving : Term::loss_driven];
+  Real friction = drive[Term::dry] + way * drive[Term::direction] + loss * abs(passed);
+  if (drive.has(Term::drag)) friction = friction + drive[Term::drag] * speed * speed;
+  if (drive.has(Term::dry_rising))
+    friction = friction + drive[Term::dry_rising] * exp(-(abs(speed) / drive[Term::rising_speed]));
+  return friction;
+}
+
+/// The speed of joint and rotor in one piece, a time h later.
+template <class Real>
+Real rigid_speed(const Drive<Real>& drive, const Real& load, const Forces<Real>& f, const Real& speed,
+                 double h) {
+  const Real inertia = load + drive[Term::armature];
+  const Real pushed = (inertia - h / 2 * f.damping) * speed + h * (f.motor - f.against);
+  const double way = value_of(pushed) > 0 ? 1 : -1;
+  const Real passed = (f.against * drive[Term::armature] + f.motor * load) / inertia;
+  const Real sliding =
+      (pushed - way * h * friction_of(drive, way, speed, passed)) / (inertia + h / 2 * f.damping);
+  return value_of(sliding) * way > 0 ? sliding : Real(0);
+}
+
+/// Rotor and joint with a gear between them that gives way.
+template <class Real>
+struct Gear {
+  Real rotor, load;  ///< inertias
+  Real compliance;
+  Real play, damping;
+  double implicitness;  ///< 1/2 resolves the elastic motion, 1 stops what is too stiff for the step
+
+  /// A rotor below a thousandth of the load, and an elastic motion that is faster than the step, are not
+  /// resolved: an impact leaves a hundredth of the speed.
+  Gear(const Drive<Real>& drive, const Real& of_load, double h)
+      : rotor(drive[Term::armature]),
+        load(of_load),
+        play(drive[Term::play]),
+        damping(drive[Term::gear_damping]) {
+    if (rotor < 1e-3 * load) rotor = 1e-3 * load;
+    const double together = value_of(rotor) * value_of(load) / (value_of(rotor) + value_of(load));
+    const double least = h * h / (100 * together);
+    compliance = drive[Term::gear_compliance] + least;
+    implicitness = 0.5 + 0.5 * least / value_of(compliance);
+  }
+  /// The twist at which a torque rests.
+  [[nodiscard]] Real twist_under(const Real& torque) const {
+    return compliance * torque + (value_of(torque) > 0 ? 0.5 : -0.5) * play;
+  }
+};
+
+/// Speeds of joint and rotor a time h later.
+template <class Real>
+struct Speeds {
+  Real joint, rotor;
+};
+
+/// \param from   speeds at the begin
+/// \param twist  of the rotor against the joint, at the middle of the step
+template <class Real>
+Speeds<Real> geared_speeds(const Drive<Real>& drive, const Gear<Real>& gear, const Forces<Real>& f,
+                           const Speeds<Real>& from, const Real& twist, double h) {
+  // Torque through the gear where it touches: at_rest + rising (rotor - joint), speeds at the end.
+  const double side = value_of(twist) + h * (value_of(from.rotor) - value_of(from.joint)) > 0 ? 1 : -1;
+  const auto moved = [&](const Real& at_rest, const Real& rising) -> Speeds<Real> {
+    const Real joint_pushed = gear.load * from.joint + h * (at_rest - f.against),
+               joint_inertia = gear.load + h * rising;
+    const Real share = h * rising / joint_inertia;
+    const Real pushed =
+        (gear.rotor - h / 2 * f.damping) * from.rotor + h * (f.motor - at_rest) + share * joint_pushed;
+    const Real inertia = gear.rotor + h / 2 * f.damping + share * gear.load;
+    const double way = value_of(pushed) > 0 ? 1 : -1;
+    const Real passed = at_rest + rising * (from.rotor - from.joint);
+    const Real sliding = (pushed - way * h * friction_of(drive, way, from.rotor, passed)) / inertia;
+    const Real rotor = value_of(sliding) * way > 0 ? sliding : Real(0);
+    return {(joint_pushed + h * rising * rotor) / joint_inertia, rotor};
+  };
+  const Real at_rest = (twist - side / 2 * gear.play) / gear.compliance;
+  const Real rising = h * gear.implicitness / gear.compliance + gear.damping;
+  const Speeds<Real> touching = moved(at_rest, rising);
+  const bool pulls = side * value_of(at_rest + rising * (touching.rotor - touching.joint)) < 0;
+  return pulls && value_of(gear.play) > 0 ? moved(Real(0), Real(0)) : touching;
+}
+
+/// The state a time h later.
+template <class Real>
+Motion<Real> after(const Drive<Real>& drive, const Imposed<Real>& now, const Motion<Real>& from, double h) {
+  using std::exp;
+  const bool geared = drive.gives_way();
+  Motion<Real> next = from;
+  next.q = from.q + h / 2 * from.v;
+  if (geared) next.twist = from.twist + h / 2 * from.twisting;
+  next.reference = now.command;
+  if (drive.has(Term::command_slowness))
+    next.reference =
+        from.reference + limited<Real>(now.command - from.reference, Real(h) / drive[Term::command_slowness]);
+  next.acting = asked_duty(drive, now.gain, next.reference, next.reading(now.encoder));
+  if (drive.has(Term::drive_lag))
+    next.acting = next.acting + (from.acting - next.acting) * exp(Real(-h) / drive[Term::drive_lag]);
+  const Forces<Real> f = forces_at(drive, now, next.acting, next.q);
+  const Real scale = 1 + drive[Term::encoder_scale], load = now.inertia * (1 + drive[Term::load_mass]);
+  if (geared) {
+    const Speeds<Real> begin{scale * from.v, scale * (from.v + from.twisting)};
+    const Speeds<Real> end =
+        geared_speeds(drive, Gear<Real>(drive, load, h), f, begin, scale * next.twist, h);
+    next.v = end.joint / scale;
+    next.twisting = (end.rotor - end.joint) / scale;
+    next.twist = next.twist + h / 2 * next.twisting;
+  } else {
+    next.v = rigid_speed(drive, load, f, scale * from.v, h) / scale;
+  }
+  next.q = next.q + h / 2 * next.v;
+  return next;
+}
+
+/// The state of a joint whose encoder reads an angle and a speed, where the gear is at rest under the load.
+template <class Real>
+Motion<Real> begun(const Drive<Real>& drive, const Imposed<Real>& now, const Real& reading, const Real& v,
+                   double h) {
+  Motion<Real> state{reading, v};
+  state.reference = now.command;
+  state.acting = asked_duty(drive, now.gain, now.command, reading);
+  if (!drive.gives_way()) return state;
+  const Real scale = 1 + drive[Term::encoder_scale], load = now.inertia * (1 + drive[Term::load_mass]);
+  const Forces<Real> f = forces_at(drive, now, state.acting, reading);
+  state.twist = Gear<Real>(drive, load, h).twist_under(f.against) / scale;
+  if (now.encoder == EncoderSide::motor) state.q = reading - state.twist;
+  return state;
+}
+
+}  // namespace plumbline::motion
