@@ -14,6 +14,7 @@
 #include "app/verbs.hpp"
 #include "diagnose/api/report.hpp"
 #include "diagnose/api/study_files.hpp"
+#include "diagnose/change/change_plan.hpp"
 #include "diagnose/report/plan.hpp"
 #include "support/files/experiment_files.hpp"
 
@@ -22,8 +23,8 @@ namespace {
 
 struct DiagnoseOptions {
   std::vector<std::string> experiments;
-  std::string effects, model, corrected, json, html, reports, against;
-  bool next = false, as_is = false, plan = false, check = false;
+  std::string effects, model, corrected, json, html, reports, against, change;
+  bool next = false, as_is = false, plan = false, check = false, since = false;
 
   [[nodiscard]] diagnose::StudyFiles input() const {
     return {experiments.empty() ? "" : experiments.front(), model, effects};
@@ -37,6 +38,13 @@ void run_plan(const DiagnoseOptions& options, const CLI::App& verb) {
   Outputs outputs(verb, input.all());
   files::OutputFile* const json = outputs.open("--json", options.json);
   const diagnose::Experiment bench = study_of(read, input.effects).experiment();
+  if (!options.change.empty()) {
+    const diagnose::ChangePlan plan = diagnose::plan_of_change(bench, options.change);
+    if (json) json->write(page::json_text(as_json(plan), outputs.provenance()));
+    outputs.commit();
+    if (options.json != "-") fmt::print("{}", as_text(plan));
+    return;
+  }
   const diagnose::Plan plan =
       with_progress("plan", [&](const auto& show) { return diagnose::plan(bench, show); });
   if (json) json->write(page::json_text(as_json(plan), outputs.provenance()));
@@ -95,21 +103,29 @@ void run_diagnosis(const DiagnoseOptions& options, const CLI::App& verb) {
 /// Options that an experiment of motion does not take, and whatever of `others` it does not take either.
 void refuse_for_motion(const DiagnoseOptions& options,
                        std::vector<std::pair<const char*, std::string>> others) {
-  others.insert(others.end(),
-                {{"--model", options.model}, {"--effects", options.effects}, {"--against", options.against}});
+  others.insert(others.end(), {{"--model", options.model}, {"--effects", options.effects}});
   for (const auto& [name, value] : others)
     if (!value.empty()) throw Error(name, "an experiment of motion", "a bench of loads or poses");
-  if (options.plan || options.next)
-    throw Error(options.plan ? "--plan" : "--next", "an experiment of motion", "a bench of loads or poses");
+  if (options.plan || options.next || options.since)
+    throw Error(options.plan   ? "--plan"
+                : options.next ? "--next"
+                               : "--since",
+                "an experiment of motion", "a bench of loads or poses");
 }
 
 void run_motion(const DiagnoseOptions& options, const CLI::App& verb) {
+  if (!options.against.empty()) {
+    refuse_for_motion(options, {{"--html", options.html}, {"--corrected", options.corrected}});
+    return diagnose_motion_change({options.input(), options.against, options.json, "", options.check}, verb);
+  }
   refuse_for_motion(options, {});
   diagnose_motion(options.experiments.front(), {options.json, options.html, options.corrected}, verb);
 }
 
 void run_torques(const DiagnoseOptions& options, const CLI::App& verb) {
-  refuse_for_motion(options, {{"--html", options.html}, {"--corrected", options.corrected}});
+  refuse_for_motion(
+      options,
+      {{"--html", options.html}, {"--corrected", options.corrected}, {"--against", options.against}});
   balance_torques(options.experiments.front(), options.json, verb);
 }
 
@@ -120,6 +136,9 @@ void run(const DiagnoseOptions& options, const CLI::App& verb) {
       is_of_torques(options.experiments.front()))
     return run_torques(options, verb);
   if (options.plan) return run_plan(options, verb);
+  if (options.since)
+    return diagnose_since({options.experiments, options.model, options.effects, options.json, options.html},
+                          verb);
   if (options.experiments.size() > 1 || !options.reports.empty()) return run_many(options, verb);
   if (options.against.empty()) return run_diagnosis(options, verb);
   diagnose_change({options.input(), options.against, options.json, options.html, options.check}, verb);
@@ -156,8 +175,12 @@ void add_diagnose(CLI::App& app) {
                           "Write a page with curves, residuals and the chain: one file, to print or send");
   auto* against = verb->add_option("--against", options->against,
                                    "What changed since: another data set of the same device, with the same "
-                                   "nominal model. What the model lacks in both cancels")
-                      ->type_name("FOLDER");
+                                   "nominal model. What the model lacks in both cancels. Or a state "
+                                   "that runs of this experiment name, against the other one")
+                      ->type_name("FOLDER|STATE");
+  auto* since = verb->add_flag("--since", options->since,
+                               "What changed since when: several experiments, or the states that runs of one "
+                               "name, in the order of time, each against the first");
   auto* check = verb->add_flag("--check", options->check,
                                "With --against: exit status 0 for no change, 1 for a change, 2 where the "
                                "readings cannot tell")
@@ -175,7 +198,14 @@ void add_diagnose(CLI::App& app) {
       "Before any data, from experiment.toml, whose runs may be without samples or hold commands "
       "alone: which effects the bench cannot detect, which it cannot distinguish, and the fewest "
       "runs that distinguish the rest");
-  for (CLI::Option* other : {corrected, html, reports, next, as_is, against}) plan->excludes(other);
+  verb->add_option(
+          "--change", options->change,
+          "With --plan: the fewest runs that, made once more, would show a change of this size, such as "
+          "joint_friction=0.05 or \"joint_stop(2)=0.3,2\"")
+      ->type_name("EFFECT=VALUES")
+      ->needs(plan);
+  for (CLI::Option* other : {corrected, html, reports, next, as_is, against, since}) plan->excludes(other);
+  for (CLI::Option* other : {corrected, reports, next, against, check}) since->excludes(other);
   for (CLI::Option* other : {corrected, next}) against->excludes(other);
   check->excludes(reports);
   verb->footer(

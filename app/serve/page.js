@@ -49,53 +49,64 @@ function choose(files) {
   say(chosen.length ? `${chosen.length} files chosen` : "");
 }
 
-const svgNode = (name, attributes, text) => {
-  const node = document.createElementNS("http://www.w3.org/2000/svg", name);
-  for (const [key, value] of Object.entries(attributes)) node.setAttribute(key, value);
-  if (text !== undefined) node.textContent = text;
+/** An element with its attributes and what is in it. */
+function made(name, attributes, ...within) {
+  const node = document.createElement(name);
+  Object.assign(node, attributes);
+  node.append(...within);
   return node;
-};
-
-/** A drawing of lines, each a list of points; of axes of one scale where `square`. */
-function drawing(lines, caption, square, corner) {
-  const points = lines.flatMap((line) => line.points).filter(([x, y]) => Number.isFinite(x) && Number.isFinite(y));
-  if (points.length === 0) return null;
-  const [wide, high, edge] = [360, 240, 24];
-  const ends = (of) => [Math.min(...points.map(of)), Math.max(...points.map(of))];
-  const [[left, right], [low, top]] = [ends((p) => p[0]), ends((p) => p[1])];
-  let [sx, sy] = [(wide - 2 * edge) / (right - left || 1), (high - 2 * edge) / (top - low || 1)];
-  if (square) sx = sy = Math.min(sx, sy);
-  const at = ([x, y]) => `${(edge + (x - left) * sx).toFixed(1)},${(high - edge - (y - low) * sy).toFixed(1)}`;
-  const svg = svgNode("svg", { viewBox: `0 0 ${wide} ${high}`, role: "img", "aria-label": caption });
-  for (const line of lines)
-    svg.append(svgNode("polyline", { class: line.name, points: line.points.filter((p) => p.every(Number.isFinite)).map(at).join(" ") }));
-  const words = (x, y, text, anchor) => svg.append(svgNode("text", { x, y, "text-anchor": anchor }, text));
-  words(edge, 15, `${top.toPrecision(3)} ${corner[1]}`, "start");
-  words(edge, high - 6, `${left.toPrecision(3)}`, "start");
-  words(wide - edge, high - 6, `${right.toPrecision(3)} ${corner[0]}`, "end");
-  words(edge, high - edge - 4, low.toPrecision(3), "start");
-  const figure = document.createElement("figure"), below = document.createElement("figcaption");
-  below.textContent = caption;
-  figure.append(svg, below);
-  return figure;
 }
 
-function restShape(lengths, rest) {
-  let [x, y, turned] = [0, 0, 0];
-  return [[0, 0], ...lengths.map((length, j) => {
-    turned += rest[j];
-    return [x += length * Math.cos(turned), y += length * Math.sin(turned)];
-  })];
+function figureOf(chart) {
+  // Drawn by the program: well-formed, and without a script, which this page would not run.
+  const svg = new DOMParser().parseFromString(chart.svg, "text/html").querySelector("svg");
+  return made("figure", {}, made("figcaption", { textContent: chart.caption }), svg);
 }
 
-function plotsOf(found) {
-  return found.runs.slice(0, 6).flatMap((run) => [
-    drawing([{ name: "rest", points: restShape(found.link_length, run.rest) },
-             { name: "measured", points: run.x.map((x, i) => [x, run.y[i]]) }],
-            `${run.id}: ${run.count} readings, the end point's way (blue) and the unloaded chain (orange)`, true, ["m", "m"]),
-    drawing([{ name: "measured", points: run.Fx.map((f, i) => [i, f]) }, { name: "second", points: run.Fy.map((f, i) => [i, f]) }],
-            `${run.id}: forces Fx (whole line) and Fy (dashed), reading by reading`, false, ["", "N"]),
-  ]).filter((one) => one !== null);
+// --- the tables, with a meaning above each column
+
+const choice = (value, text, taken) => made("option", { value, textContent: text, selected: value === taken });
+
+/** Meaning, unit and sign of a column; `column` keeps what is chosen. */
+function meaningOf(column, found) {
+  const label = (what) => `${what} of ${column.title || "column " + column.name}`;
+  const words = found.channels.flatMap((one) => !one.numbered ? [[one.word, one.means]]
+    : [[one.word, one.means], ...Array.from({ length: found.joints }, (_, j) => [one.word + (j + 1), `${one.means} ${j + 1}`])]);
+  const channel = made("select", { ariaLabel: label("Meaning") }, choice("", "not used", column.channel),
+                       ...words.map(([word, means]) => choice(word, `${means} (${word})`, column.channel)));
+  const unit = made("select", { ariaLabel: label("Unit") }), sign = made("select", { ariaLabel: label("Sign") },
+    choice("1", "as read", String(column.sign)), choice("-1", "reversed", String(column.sign)));
+  const offerUnits = () => {
+    const kind = found.channels.find((one) => one.word === column.channel.replace(/\d+$/, "")), units = new Set(kind?.units ?? []);
+    if (column.unit && units.size) units.add(column.unit);
+    unit.replaceChildren(choice("", "unit by the program", column.unit), ...[...units].map((one) => choice(one, one, column.unit)));
+    unit.hidden = units.size === 0;
+    sign.hidden = column.channel === "" || column.channel === "ignore";
+  };
+  offerUnits();
+  const changed = () => {
+    Object.assign(column, { channel: channel.value, unit: unit.value, sign: Number(sign.value), told: true });
+    offerUnits();
+    fillTold(found);
+  };
+  for (const one of [channel, unit, sign]) one.addEventListener("change", changed);
+  return made("th", { scope: "col" }, made("span", { textContent: column.title || "column " + column.name }), channel, unit, sign);
+}
+
+/** The field that the program reads, filled with what the person chose. */
+function fillTold(found) {
+  const told = found.tables.flatMap((table) => table.columns).filter((column) => column.told);
+  part("columns").value = told.map(({ channel, name, unit, sign }) =>
+    `${channel || "ignore"}=${sign < 0 ? "-" : ""}${name.replace(/[,:]/g, "$&$&")}${unit ? ":" + unit : ""}`).join(",");
+  say("Chosen. Read again to take it.");
+}
+
+function tableOf(table, found) {
+  const rows = table.columns.length ? table.columns[0].first.map((_, i) =>
+    made("tr", {}, ...table.columns.map((column) => made("td", { textContent: column.first[i] ?? "" })))) : [];
+  return made("div", { className: "scroll", tabIndex: 0, role: "region", ariaLabel: `First lines of ${table.file}` },
+    made("table", {}, made("caption", { textContent: `${table.file}: what each column means` }),
+         made("thead", {}, made("tr", {}, ...table.columns.map((column) => meaningOf(column, found)))), made("tbody", {}, ...rows)));
 }
 
 function show(found) {
@@ -103,7 +114,10 @@ function show(found) {
   part("work").hidden = true;
   part("question").textContent = found.question;
   part("settings").value = found.settings;
-  part("plots").replaceChildren(...plotsOf(found));
+  part("plots").replaceChildren(...found.charts.map(figureOf));
+  part("tables").replaceChildren(...found.tables.map((table) => tableOf(table, found)));
+  part("retell").hidden = found.tables.length === 0;
+  part("begin").disabled = found.settings === "";
   const rows = [...found.notes.map((note) => ["model", note, "what the file has"]),
                 ...found.guesses.map((one) => [one.what + (one.doubtful ? " (look at it)" : ""), one.value, one.reason])];
   part("guesses").replaceChildren(...rows.map((cells) => {
@@ -116,7 +130,7 @@ function show(found) {
     }));
     return row;
   }));
-  part("settings-box").open = found.question !== "";
+  part("settings-box").open = found.question !== "" && found.settings !== "";
   const doubtful = found.guesses.filter((one) => one.doubtful).length;
   part("guesses-box").open = doubtful > 0;
   say(found.question !== "" ? "Read; something is asked."
@@ -139,6 +153,7 @@ function showResult(found) {
   const done = found.state === "done";
   part("report").hidden = part("whole").hidden = !done;
   if (done) part("report").src = "report";
+  part("words-box").open = !done;
   part("models").replaceChildren(...found.models.map((name) => {
     const line = document.createElement("li"), link = document.createElement("a");
     link.href = `model/${encodeURIComponent(name)}`;
@@ -150,7 +165,7 @@ function showResult(found) {
   say(done ? "Diagnosed." : found.state === "failed" ? found.words : "Given up.", found.state === "failed");
 }
 
-does("take", async () => {
+async function take() {
   const form = new FormData();
   for (const file of chosen) form.append(isModel(file.name) ? "model" : "table", file, file.name);
   for (const joint of part("joints").value.split(",").map((one) => one.trim()).filter(Boolean)) form.append("joint", joint);
@@ -158,7 +173,19 @@ does("take", async () => {
   say("Reading …");
   show(await ask("take", form));
   part("read-title").focus();
+}
+
+/** The report's frame is as high as the report. */
+part("report").addEventListener("load", () => {
+  const body = part("report").contentDocument?.body;
+  if (!body) return;
+  const fit = () => { part("report").style.height = `${body.ownerDocument.documentElement.scrollHeight}px`; };
+  new ResizeObserver(fit).observe(body);
+  fit();
 });
+
+does("take", take);
+does("retell", take);
 does("example", async () => {
   show(await ask("example", ""));
   part("read-title").focus();

@@ -1,11 +1,11 @@
 #include "app/serve/work_bench.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <plumbline/base/error.hpp>
 
 #include "app/command.hpp"
+#include "app/serve/first_charts.hpp"
 #include "diagnose/api/example_files.hpp"
 #include "diagnose/api/report.hpp"
 #include "diagnose/api/study_files.hpp"
@@ -35,33 +35,33 @@ std::string own_name(const std::string& given) {
   return name;
 }
 
-json numbers(const std::vector<double>& values) {
-  json list = json::array();
-  for (const double value : values) list.push_back(std::isfinite(value) ? json(value) : json());
-  return list;
-}
-
-/// What a person sees of a run: the first plots.
-json readings(const diagnose::Run& run) {
-  constexpr std::size_t most = 300;
-  const std::size_t step = run.readings.size() / most + 1;
-  std::vector<double> x, y, Fx, Fy;
-  for (std::size_t i = 0; i < run.readings.size(); i += step) {
-    const diagnose::Reading& r = run.readings[i];
-    x.push_back(r[diagnose::column_x]), y.push_back(r[diagnose::column_y]);
-    Fx.push_back(r[diagnose::column_Fx]), Fy.push_back(r[diagnose::column_Fy]);
-  }
-  return {{"id", run.id},      {"control", run.holds_end_point() ? "displacement" : "force"},
-          {"rest", run.rest},  {"count", run.readings.size()},
-          {"x", numbers(x)},   {"y", numbers(y)},
-          {"Fx", numbers(Fx)}, {"Fy", numbers(Fy)}};
-}
-
 json guesses_of(const diagnose::Guesses& guesses) {
   json list = json::array();
   for (const diagnose::Guess& one : guesses)
     list.push_back(
         {{"what", one.what}, {"value", one.value}, {"reason", one.reason}, {"doubtful", one.doubtful}});
+  return list;
+}
+
+json columns_of(const diagnose::SeenTable& table) {
+  json list = json::array();
+  for (const diagnose::SeenColumn& one : table.columns)
+    list.push_back({{"title", one.title},
+                    {"name", one.name},
+                    {"channel", one.channel},
+                    {"unit", one.unit},
+                    {"sign", one.sign},
+                    {"told", one.told},
+                    {"first", one.first}});
+  return list;
+}
+
+/// What a person may say that a column holds.
+json choices() {
+  json list = json::array();
+  for (const diagnose::ChannelChoice& one : diagnose::channel_choices())
+    list.push_back(
+        {{"word", one.word}, {"means", one.means}, {"numbered", one.numbered}, {"units", one.units}});
   return list;
 }
 
@@ -79,8 +79,16 @@ json WorkBench::take(const NamedFile& model, const std::vector<NamedFile>& table
     const std::string name = own_name(table.name);
     drafted.push_back({name, table.text});
   }
-  draft_ = diagnose::draft_experiment(model_.substr(0, model_.find_last_of('.')), read_.model, drafted, {},
-                                      diagnose::told_columns(columns));
+  const std::vector<diagnose::ToldColumn> told = diagnose::told_columns(columns);
+  seen_ = diagnose::seen_tables(drafted, read_.model.names(), told);
+  try {
+    draft_ = diagnose::draft_experiment(model_.substr(0, model_.find_last_of('.')), read_.model, drafted, {},
+                                        told);
+  } catch (const Error& question) {  // the tables are there to be told
+    if (seen_.empty()) throw;
+    draft_ = {};
+    draft_.question = in_own_names(question.what());
+  }
   write_draft(draft_, place_->path());
   outcome_ = {};
   return described();
@@ -92,6 +100,7 @@ json WorkBench::take_example() {
   model_.clear();
   read_ = {};
   draft_ = {};
+  seen_.clear();
   for (const auto& [name, text] : diagnose::example_files) {
     if (std::string(name) == "experiment.toml") {
       draft_.settings = text;
@@ -120,12 +129,19 @@ json WorkBench::described() const {
               {"guesses", guesses_of(draft_.guesses)},
               {"settings", draft_.settings},
               {"question", draft_.question},
-              {"runs", json::array()}};
+              {"joints", std::max(read_.model.names().size(), read_.model.chain.link_length.size())},
+              {"channels", choices()},
+              {"tables", json::array()},
+              {"charts", json::array()}};
+  for (const diagnose::SeenTable& table : seen_)
+    result["tables"].push_back({{"file", table.file}, {"columns", columns_of(table)}});
+  if (draft_.settings.empty()) return result;
   try {
     const diagnose::Experiment experiment = diagnose::experiment_of({place_->path(), {}, {}});
-    for (const diagnose::Run& run : experiment.runs) result["runs"].push_back(readings(run));
-    result["link_length"] = experiment.link_length;
-    if (!experiment.arm || experiment.arm->frames_known) require_conventions(diagnose::study_of(experiment));
+    const diagnose::Study study = diagnose::study_of(experiment);
+    for (const diagnose::PageChart& one : first_charts(study))
+      result["charts"].push_back({{"caption", one.caption}, {"svg", one.svg}});
+    if (!experiment.arm || experiment.arm->frames_known) require_conventions(study);
   } catch (const Error& question) {
     result["question"] = in_own_names(question.what());
   }

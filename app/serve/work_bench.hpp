@@ -12,6 +12,7 @@
 
 #include "app/drafted_folder.hpp"
 #include "diagnose/draft/read_draft_model.hpp"
+#include "diagnose/draft/seen_tables.hpp"
 #include "support/files/temporary_folder.hpp"
 
 namespace plumbline::app {
@@ -69,6 +70,7 @@ class WorkBench {
   std::optional<files::TemporaryFolder> place_;
   std::string model_;  ///< its name in the place; or none
   diagnose::ReadDraftModel read_;
+  std::vector<diagnose::SeenTable> seen_;
   diagnose::Draft draft_;
   mutable std::mutex mutex_;  ///< of the outcome
   Outcome outcome_;

@@ -6,6 +6,7 @@
 #include "diagnose/api/example_files.hpp"
 #include "diagnose/bench/decimate.hpp"
 #include "diagnose/bench/read_experiment.hpp"
+#include "diagnose/bench/states.hpp"
 #include "diagnose/exchange/read_model.hpp"
 #include "diagnose/rig/user_effects/read_effects.hpp"
 #include "support/files/experiment_files.hpp"
@@ -23,15 +24,16 @@ std::string example_file(const std::string& name, const std::string&) {
 
 constexpr const char* example_folder = "docs/examples/experiment";
 
-/// \param read  one of the readers of experiments
-template <class Read>
-Experiment read_with(const StudyFiles& files, const Read& read) {
-  std::optional<NominalChain> model;
-  if (!files.model.empty()) model = exchange::read_model(files.model).chain;
-  const NominalChain* const nominal = model ? &*model : nullptr;
-  if (files.folder.empty()) return read(std::filesystem::path(example_folder), example_file, nominal);
-  exchange::ArmReader arms;
-  return arms.with_effects(read(files.folder, nominal, arms.read()));
+std::optional<NominalChain> model_of(const StudyFiles& files) {
+  if (files.model.empty()) return std::nullopt;
+  return exchange::read_model(files.model).chain;
+}
+
+/// The runs of one state.
+Experiment state_of(const StudyFiles& files, const NominalChain* nominal, const ReadArm& arm) {
+  Experiment experiment = read_experiment(files.folder, settings_of(files.folder, files.state), nominal, arm);
+  experiment.name = files.state;
+  return experiment;
 }
 
 }  // namespace
@@ -51,11 +53,20 @@ std::filesystem::path StudyFiles::nominal_model() const {
 }
 
 Experiment experiment_of(const StudyFiles& files) {
-  return read_with(files, [](const auto&... given) { return read_experiment(given...); });
+  const std::optional<NominalChain> model = model_of(files);
+  const NominalChain* const nominal = model ? &*model : nullptr;
+  if (files.folder.empty()) return read_experiment(example_folder, example_file, nominal);
+  exchange::ArmReader arms;
+  return arms.with_effects(files.state.empty() ? read_experiment(files.folder, nominal, arms.read())
+                                               : state_of(files, nominal, arms.read()));
 }
 
 Experiment bench_of(const StudyFiles& files) {
-  return read_with(files, [](const auto&... given) { return read_plan(given...); });
+  const std::optional<NominalChain> model = model_of(files);
+  const NominalChain* const nominal = model ? &*model : nullptr;
+  if (files.folder.empty()) return read_plan(example_folder, example_file, nominal);
+  exchange::ArmReader arms;
+  return arms.with_effects(read_plan(files.folder, nominal, arms.read()));
 }
 
 Study study_of(const Experiment& experiment, const std::filesystem::path& effects) {

@@ -3,6 +3,7 @@
 /// A study out of files: an experiment, its nominal model, and effects that its user states.
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "diagnose/inference/study.hpp"
@@ -14,6 +15,7 @@ struct StudyFiles {
   std::filesystem::path folder;   ///< with experiment.toml and its tables; empty: the example of the README
   std::filesystem::path model;    ///< the nominal model; empty: the experiment's own
   std::filesystem::path effects;  ///< effects of the user's; or empty
+  std::string state = {};         ///< of the device: its runs alone; empty: all runs are of one
 
   /// Every file that is read.
   [[nodiscard]] std::vector<std::filesystem::path> all() const;

@@ -1,6 +1,7 @@
 #include "diagnose/bench/read_experiment.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -179,7 +180,7 @@ std::vector<LoadChannel> loads_of(const Run& run, const Experiment& experiment) 
 }
 
 Run read_run(const Section& section, const Shared& shared) {
-  section.allow_only({"id", "control", "begins", "loaded_by", "rest", "samples", "csv", "columns"});
+  section.allow_only({"id", "state", "control", "begins", "loaded_by", "rest", "samples", "csv", "columns"});
   Run run;
   run.id = section.name("id", "a name");
   run.alone = shared.experiment.alone;
@@ -227,7 +228,7 @@ void count_from_first_reading(std::vector<Run>& runs) {
 
 Run read_poses_of(const Section& section, const Source& source, const PoseFormat& format,
                   const Experiment& experiment) {
-  section.allow_only({"id", "control", "loaded_by", "samples", "csv", "columns"});
+  section.allow_only({"id", "state", "control", "loaded_by", "samples", "csv", "columns"});
   Run run;
   run.id = section.name("id", "a name");
   run.control = Control::force;
@@ -273,10 +274,23 @@ Experiment read_arm_settings(const Section& root, const Source& source) {
   return experiment;
 }
 
+/// Runs of a device before and after something changed are no one experiment.
+void require_one_state(const Section& root) {
+  std::set<std::string> states;
+  for (const Section& run : root.has("run") ? root.tables("run") : std::vector<Section>()) {
+    states.insert(run.has("state") ? run.name("state", "a name") : "");
+    if (states.size() > 1)
+      throw Error(run.place("state"),
+                  fmt::format("runs of the states \"{}\"", fmt::join(states, "\" and \"")),
+                  "runs of one state; --against STATE and --since compare several");
+  }
+}
+
 /// All settings, before any plausibility check.
 Experiment read_settings(const Section& root, const Source& source, const NominalChain* model) {
   const std::string expected = "\"chain-experiment/1\"";
   if (root.text("format", expected) != "chain-experiment/1") root.refuse("format", expected);
+  require_one_state(root);
   if (root.has("arm")) return read_arm_settings(root, source);
   root.allow_only(
       {"format", "name", "date", "nominal", "bench", "load", "noise", "units", "csv", "columns", "run"});
@@ -304,16 +318,20 @@ Experiment read_settings(const Section& root, const Source& source, const Nomina
 }
 
 /// The same from files.
-Experiment read_folder(const fs::path& folder, const ReadFile& read, bool plan, const NominalChain* model,
-                       const ReadArm& arm = {}) {
-  const std::string settings = "experiment.toml", file = (folder / settings).string();
+/// \param table  of experiment.toml
+Experiment read_folder(const fs::path& folder, const toml::table& table, const ReadFile& read, bool plan,
+                       const NominalChain* model, const ReadArm& arm = {}) {
   const ReadParts read_all = [&](const Section& run, const SampleFormat& format) {
     return read_parts(run, format, [&](const std::string& name, const std::string& place) {
       return NamedText{(folder / name).string(), read(name, place)};
     });
   };
-  const toml::table table = files::parse_toml(read(settings, file), file);
-  return read_settings(Section(table, file), {read_all, plan, arm}, model);
+  return read_settings(Section(table, (folder / "experiment.toml").string()), {read_all, plan, arm}, model);
+}
+Experiment read_folder(const fs::path& folder, const ReadFile& read, bool plan, const NominalChain* model,
+                       const ReadArm& arm = {}) {
+  const std::string settings = "experiment.toml", file = (folder / settings).string();
+  return read_folder(folder, files::parse_toml(read(settings, file), file), read, plan, model, arm);
 }
 
 ReadFile files_of(const fs::path& folder) {
@@ -344,6 +362,13 @@ Experiment as_bench(Experiment planned) {
 
 Experiment read_experiment(const fs::path& folder, const NominalChain* model, const ReadArm& arm) {
   Experiment experiment = read_folder(folder, files_of(folder), false, model, inside(folder, arm));
+  require_physical(experiment);
+  return experiment;
+}
+
+Experiment read_experiment(const fs::path& folder, const toml::table& settings, const NominalChain* model,
+                           const ReadArm& arm) {
+  Experiment experiment = read_folder(folder, settings, files_of(folder), false, model, inside(folder, arm));
   require_physical(experiment);
   return experiment;
 }

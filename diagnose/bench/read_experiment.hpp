@@ -18,9 +18,13 @@ namespace plumbline::diagnose {
 /// \throws Error, one line with the file, the line or key, what was found and what was expected: a missing
 ///         file or key, an unknown key or format, a wrong type or length, a field that is not a finite
 ///         number, a negative length or stiffness, a repeated run id, a sample file outside the folder,
-///         readings that the chain cannot reach, or too few of them to judge anything
+///         readings that the chain cannot reach, too few of them to judge anything, or runs of several states
 Experiment read_experiment(const std::filesystem::path& folder, const NominalChain* model = nullptr,
                            const ReadArm& arm = {});
+
+/// The same, with these settings in place of those of experiment.toml.
+Experiment read_experiment(const std::filesystem::path& folder, const toml::table& settings,
+                           const NominalChain* model = nullptr, const ReadArm& arm = {});
 
 /// The samples of a run, in one part or several.
 /// \param run     its table: the key `samples` says which samples

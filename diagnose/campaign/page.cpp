@@ -39,7 +39,8 @@ page::Chart chart(const Parameter& parameter, const std::vector<Outcome>& outcom
 
 }  // namespace
 
-std::string as_html(const std::vector<Outcome>& outcomes, const Comparison& comparison) {
+std::string as_html(const std::vector<Outcome>& outcomes, const Comparison& comparison,
+                    const std::vector<Since>& since) {
   Json view{{"count", outcomes.size()}, {"same_cause", same_cause(outcomes, comparison)}};
   view["experiments"] = Json::array();
   view["failures"] = Json::array();
@@ -53,6 +54,10 @@ std::string as_html(const std::vector<Outcome>& outcomes, const Comparison& comp
     if (!reported) view["failures"].push_back({{"name", one.name}, {"failure", one.failure}});
   }
   view["failed"] = {{"any", comparison.failed > 0}};
+  view["in_time"] = {{"any", !since.empty()}};
+  view["since"] = Json::array();
+  for (const Since& one : since)
+    view["since"].push_back({{"effect", one.effect}, {"words", words(one, outcomes)}});
   view["parameters"] = Json::array();
   for (const Parameter& one : comparison.parameters)
     view["parameters"].push_back(

@@ -85,7 +85,10 @@ std::string said(const Outcome& outcome) {
   std::string text = outcome.report.verdict;
   if (!outcome.report.effects.empty()) text += " " + effects(outcome.report.effects);
   for (const std::vector<std::string>& other : outcome.report.equivalent) text += " or " + effects(other);
-  return text;
+  if (outcome.report.effects.empty()) return text;
+  return text + (outcome.report.sense == "added"     ? ", came"
+                 : outcome.report.sense == "removed" ? ", went"
+                                                     : "");
 }
 
 std::string same_cause(const std::vector<Outcome>& outcomes, const Comparison& comparison) {

@@ -99,6 +99,7 @@ StatedReport report_from(const nlohmann::json& json, const std::string& source) 
     const double floor = shrink.number_or("noise_floor_ratio", 0.0);
     if (floor > 0) report.shrunk = number(shrink, "ratio") / floor;
   }
+  if (file.has("against")) report.sense = at(at(file, "against"), "sense").text(expected);
   return report;
 }
 

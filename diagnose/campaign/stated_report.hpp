@@ -31,6 +31,7 @@ struct StatedReport {
   std::optional<std::size_t> joint;  ///< with the largest share
   std::string channel;               ///< with the largest share
   std::optional<double> shrunk;      ///< held-out residual after, over the noise floor
+  std::string sense = {};            ///< of a change: added, removed, either; else empty
 };
 
 /// \throws Error that names the source and what is missing

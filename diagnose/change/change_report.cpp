@@ -13,17 +13,6 @@ namespace {
 /// Speeds of one path that differ by less are those of one drive.
 constexpr double same_rate = 0.2;
 
-/// ", there now and not before"; nothing where signs tell.
-std::string senses(Sense sense) {
-  if (sense == Sense::either) return "";
-  return sense == Sense::added ? ", there now and not before" : ", there before and not now";
-}
-
-const char* sense_word(Sense sense) {
-  if (sense == Sense::either) return "either";
-  return sense == Sense::added ? "added" : "removed";
-}
-
 std::string answer(const Change& change) {
   const Cause& cause = change.diagnosis.cause;
   const double p = change.diagnosis.gap.probability;
@@ -35,7 +24,7 @@ std::string answer(const Change& change) {
     return fmt::format("Changed (probability {}), by a cause outside the catalogue\n",
                        probability_in_words(p));
   const std::string words = in_words(cause.ranking.front().cause) + senses(change.sense);
-  const std::size_t others = cause.named - 1 + (cause.or_unknown ? 1 : 0) + (change.otherwise ? 1 : 0);
+  const std::size_t others = cause.named - 1 + (cause.or_unknown ? 1 : 0) + change.otherwise.size();
   const char* const verdict = cause.verdict == CauseVerdict::partial     ? "Changed, mostly by"
                               : cause.verdict == CauseVerdict::ambiguous ? "Changed, ambiguous"
                                                                          : "Changed";
@@ -64,16 +53,26 @@ nlohmann::ordered_json as_json(const PairedRun& run) {
   return json;
 }
 
+}  // namespace
+
+std::string senses(Sense sense) {
+  if (sense == Sense::either) return "";
+  return sense == Sense::added ? ", there now and not before" : ", there before and not now";
+}
+
+const char* sense_word(Sense sense) {
+  if (sense == Sense::either) return "either";
+  return sense == Sense::added ? "added" : "removed";
+}
+
 const char* check_word(Check check) {
   return check == Check::same ? "same" : check == Check::changed ? "changed" : "cannot_tell";
 }
 
-}  // namespace
-
 std::string as_text(const Change& change) {
   std::string text = fmt::format("{} against {}\n\n{}", change.after, change.before, answer(change));
-  if (change.otherwise)
-    text += fmt::format("  or {}{}\n", in_words(change.otherwise->cause),
+  for (const RankedCause& one : change.otherwise)
+    text += fmt::format("  or {}{}\n", in_words(one.cause),
                         senses(change.sense == Sense::removed ? Sense::added : Sense::removed));
   text += "\nCompared at the same commands\n";
   for (const PairedRun& run : change.runs) text += compared(run);
@@ -84,10 +83,13 @@ std::string as_text(const Change& change) {
 
 nlohmann::ordered_json as_json(const Change& change) {
   nlohmann::ordered_json report = as_json(change.diagnosis);
-  nlohmann::ordered_json runs = nlohmann::ordered_json::array(), otherwise;
+  nlohmann::ordered_json runs = nlohmann::ordered_json::array(), otherwise = runs;
   for (const PairedRun& run : change.runs) runs.push_back(as_json(run));
-  if (change.otherwise)
-    for (const EffectAt& at : change.otherwise->cause.effects) otherwise.push_back(at.label());
+  for (const RankedCause& one : change.otherwise) {
+    nlohmann::ordered_json labels = nlohmann::ordered_json::array();
+    for (const EffectAt& at : one.cause.effects) labels.push_back(at.label());
+    otherwise.push_back(std::move(labels));
+  }
   report["against"] = {{"before", change.before},
                        {"after", change.after},
                        {"check", check_word(check(change))},

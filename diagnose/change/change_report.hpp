@@ -13,4 +13,10 @@ namespace plumbline::diagnose {
 std::string as_text(const Change& change);
 nlohmann::ordered_json as_json(const Change& change);
 
+/// ", there now and not before"; nothing where signs tell.
+std::string senses(Sense sense);
+/// As reports have them.
+const char* sense_word(Sense sense);
+const char* check_word(Check check);
+
 }  // namespace plumbline::diagnose

@@ -30,7 +30,8 @@ class ArmTableReader {
     find_places();
     find_turns();
     find_loads();
-    put_joints("torque", joint_columns(words_, Kind::torque, false, arm_.arm.size()), quantity::torque);
+    put_joints("torque", joint_columns(words_, Kind::torque, false, arm_.arm.size()), quantity::torque, "",
+               Channel::Name::drive);
     if (const auto warm = column_of(Kind::temperature)) put("temperature", *warm, quantity::angle, "");
     return std::move(run_);
   }
@@ -57,17 +58,18 @@ class ArmTableReader {
     return all;
   }
 
-  void put(const std::string& name, std::size_t column, const Quantity& quantity, const std::string& unit) {
-    run_.columns.push_back({name, values(column, quantity, unit)});
+  void put(const std::string& name, std::size_t column, const Quantity& quantity, const std::string& unit,
+           std::optional<Channel::Name> reads = {}) {
+    run_.columns.push_back({name, values(column, quantity, unit), reads});
     run_.used.push_back(column);
     say(name, title(column) + (words_[column].unit.empty() ? "" : ", in " + words_[column].unit), "its name");
   }
 
   void put_joints(const std::string& stem, const std::vector<std::size_t>& columns, const Quantity& quantity,
-                  const std::string& unit = "") {
+                  const std::string& unit, std::optional<Channel::Name> reads = {}) {
     for (std::size_t j = 0; j < columns.size(); ++j)
       put(stem + std::to_string(j + 1), columns[j], slides(j) ? quantity::length : quantity,
-          slides(j) ? "" : unit);
+          slides(j) ? "" : unit, reads);
   }
 
   [[nodiscard]] bool slides(std::size_t joint) const {
@@ -85,7 +87,7 @@ class ArmTableReader {
       say("q_command", "the joint angles that stand there", "no others are commanded");
     }
     put_joints("q_command", commands, quantity::angle, unit);
-    put_joints("q", reached, quantity::angle, unit);
+    put_joints("q", reached, quantity::angle, unit, Channel::Name::q);
     const std::size_t first = run_.columns.size() - commands.size() - reached.size();
     run_.commands.resize(source_.readings());
     for (std::size_t j = 0; j < commands.size(); ++j)

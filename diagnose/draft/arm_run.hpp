@@ -2,6 +2,7 @@
 /// \file
 /// The columns of a table of an arm's poses, in SI.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@ namespace plumbline::diagnose {
 struct ArmColumn {
   std::string name;  ///< as docs/arms.md has it
   std::vector<double> values;
+  std::optional<Channel::Name> reads = {};  ///< the kind of channel; none where it is a command or a load
 };
 
 struct ArmRun {

@@ -250,6 +250,7 @@ const Quantity* quantity_of(Kind kind) {
     case Kind::humidity:
     case Kind::current:
     case Kind::number:
+    case Kind::doubled:
     case Kind::left_out:
       break;
   }

@@ -34,6 +34,7 @@ enum class Kind {
   tension,   ///< of a tendon
   pressure,  ///< in an actuator
   number,    ///< of the line, the pose, the sample
+  doubled,   ///< a quantity that another column has
   left_out   ///< by a person
 };
 

@@ -42,8 +42,7 @@ class Drafting {
   }
 
   void add(const std::vector<DraftFile>& files, const std::vector<ToldColumn>& told) {
-    const std::vector<std::string>& joints =
-        model_.joints.empty() && model_.arm ? model_.arm->joint : model_.joints;
+    const std::vector<std::string>& joints = model_.names();
     draft_.tables = tables_of(files, joints, told, ask_, draft_.guesses);
     const std::vector<RunSource> sources = run_sources(draft_.tables, joints, told, draft_.guesses);
     draft_.bench = bench_of(model_, sources, joints);

@@ -30,6 +30,11 @@ struct DraftModel {
   std::shared_ptr<const NominalArm> arm = {};  ///< or null
   DraftFile file = {};                         ///< of the arm, to stand beside the experiment
   std::string tip = {}, base_body = {};        ///< of the arm, where a person names them
+
+  /// Those of the joints by which tables may name them.
+  [[nodiscard]] const std::vector<std::string>& names() const {
+    return joints.empty() && arm ? arm->joint : joints;
+  }
 };
 
 /// What the readings are of.

@@ -73,7 +73,7 @@ class ArmDrafter {
     const double unit = parse_unit(registration_.unit, quantity::length, "").in_si();
     for (ArmRun& run : runs_)
       for (Eigen::Index axis = 0; axis < 3 && !run.places.empty(); ++axis) {
-        ArmColumn column{std::string("tip_") + "xyz" [axis], {}};
+        ArmColumn column{std::string("tip_") + "xyz" [axis], {}, Channel::Name::place};
         for (const Eigen::Vector3d& place : run.places) column.values.push_back(unit * place(axis));
         run.columns.push_back(std::move(column));
       }
@@ -101,7 +101,9 @@ class ArmDrafter {
     }
     for (ArmRun& run : runs_) {
       if (run.turns.empty()) continue;
-      std::array<ArmColumn, 4> q{{{"tip_qw", {}}, {"tip_qx", {}}, {"tip_qy", {}}, {"tip_qz", {}}}};
+      std::array<ArmColumn, 4> q;
+      for (std::size_t i = 0; i < q.size(); ++i)
+        q[i].name = std::string("tip_q") + "wxyz"[i], q[i].reads = Channel::Name::turn;
       for (const Eigen::Quaterniond& raw : run.turns) {
         const Eigen::Quaterniond turn = raw.normalized();
         q[0].values.push_back(turn.w()), q[1].values.push_back(turn.x());
@@ -111,15 +113,10 @@ class ArmDrafter {
     }
   }
 
-  static bool is_read(const std::string& column) {
-    return column.starts_with("tip_") || column.starts_with("torque") ||
-           (column.starts_with("q") && !column.starts_with("q_command"));
-  }
-
   void require_readings() {
     for (const ArmRun& run : runs_)
       if (std::none_of(run.columns.begin(), run.columns.end(),
-                       [](const ArmColumn& one) { return is_read(one.name); }) &&
+                       [](const ArmColumn& one) { return one.reads.has_value(); }) &&
           result_.question.empty())
         result_.question = fmt::format(
             "{}: found no reading beside the joints' angles, expected places of the tip, reached angles or "
@@ -142,18 +139,16 @@ class ArmDrafter {
   }
 
   /// Scatter of what is read in time; of poses that were read one by one, that of their rounding at least.
-  void add_noise(std::string& text, const char* key, const char* stem, double usual) const {
+  void add_noise(std::string& text, Channel::Name kind, double usual) const {
     std::vector<double> all;
     for (const ArmRun& run : runs_)
       for (const ArmColumn& column : run.columns) {
-        const bool is = is_read(column.name) && column.name.starts_with(stem) &&
-                        (column.name.size() < 6 || column.name[4] != 'q' || std::string(stem) == "tip_q");
-        if (!is || finite(column.values).empty()) continue;
+        if (column.reads != kind || finite(column.values).empty()) continue;
         constexpr double smooth = 0.05;
         const bool in_time = roughness(column.values) < smooth;
         if (const double one = in_time ? scatter_of(column.values) : usual; one > 0) all.push_back(one);
       }
-    if (!all.empty()) text += fmt::format("{} = {:.2g}\n", key, median(all));
+    if (!all.empty()) text += fmt::format("{} = {:.2g}\n", kind_of(kind).noise_key, median(all));
   }
 
   [[nodiscard]] std::string settings() const {
@@ -172,10 +167,10 @@ class ArmDrafter {
                       list(registration_.frame.linear() * arm_.arm.gravity));
     }
     text += "\n[noise]  # of a single reading: its scatter in time, or what is usual\n";
-    add_noise(text, "place", "tip_", usual_place());
-    add_noise(text, "turn", "tip_q", usual_angle);
-    add_noise(text, "q", "q", usual_angle);
-    add_noise(text, "torque", "torque", usual_torque());
+    add_noise(text, Channel::Name::place, usual_place());
+    add_noise(text, Channel::Name::turn, usual_angle);
+    add_noise(text, Channel::Name::q, usual_angle);
+    add_noise(text, Channel::Name::drive, usual_torque());
     for (const ArmRun& run : runs_)
       text += fmt::format("\n[[run]]\nid = {0}\nsamples = {1}\n", quoted(run.id), quoted(run.id + ".csv"));
     return text;
@@ -193,7 +188,7 @@ class ArmDrafter {
     double most = 0;
     for (const ArmRun& run : runs_)
       for (const ArmColumn& column : run.columns)
-        if (column.name.starts_with("torque"))
+        if (column.reads == Channel::Name::drive)
           for (const double value : finite(column.values)) most = std::max(most, std::abs(value));
     return 0.01 * most;
   }

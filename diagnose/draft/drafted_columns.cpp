@@ -51,6 +51,10 @@ std::optional<std::string> say_guess(DraftedRun& run, const Ask& ask, Guess gues
   return answer;
 }
 
+std::string line_of_control(const std::string& other) {
+  return fmt::format("control = \"{}\" in its [[run]] where that is imposed", other);
+}
+
 EvenSteps even_steps(double of_place, double of_load, const char* places, const char* loads) {
   constexpr double clearly = 2, even = 0.002;  // where both go evenly, either may count as put
   const bool load = of_load < of_place;

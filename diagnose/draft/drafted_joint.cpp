@@ -9,6 +9,7 @@
 #include <plumbline/base/error.hpp>
 
 #include "diagnose/draft/column_numbers.hpp"
+#include "diagnose/draft/told_columns.hpp"
 #include "diagnose/draft/unit_words.hpp"
 #include "support/files/printable.hpp"
 
@@ -44,6 +45,10 @@ class JointDrafter {
     return single_channels(run_.alone)[single].name;
   }
   [[nodiscard]] std::string title(std::size_t column) const { return run_.source.shown_title(column); }
+  /// The line that a script writes to say what a column holds.
+  [[nodiscard]] std::string told(Kind kind, std::size_t column, const std::string& unit) const {
+    return columns_option({{run_.source.told_name(column), {.kind = kind, .unit = unit}}});
+  }
 
   [[nodiscard]] std::optional<std::size_t> column_of(const std::vector<Kind>& kinds, bool commanded) const {
     for (const Kind kind : kinds)
@@ -99,7 +104,7 @@ class JointDrafter {
   /// \return the unit of torque of the column; empty where nobody says the lever
   std::string lever_unit(std::size_t column, const std::string& force) {
     const std::string line =
-        fmt::format("--columns \"torque={}:50 {} mm\", with the lever for 50", title(column), force);
+        told(Kind::torque, column, fmt::format("50 {} mm", force)) + ", with the lever for 50";
     const auto answer =
         say("lever of " + title(column), "not known",
             fmt::format("a torque is meant, {} is a force: on which lever, such as 50 mm?", title(column)),
@@ -180,8 +185,7 @@ class JointDrafter {
         load > 0 ? fmt::format("the load over it is then {:.2g} times the stiffness of the model",
                                std::exp(nearest))
                  : "no unit stands there",
-        second - nearest < clearly,
-        fmt::format("--columns \"{}={}:{}\"", channel(draft_x), title(place.place), place.unit));
+        second - nearest < clearly, told(slides_ ? Kind::x : Kind::angle, place.place, place.unit));
   }
 
   void find_control() {
@@ -198,7 +202,7 @@ class JointDrafter {
                                        slides_ ? "places" : "angles", slides_ ? "forces" : "torques");
     run_.imposes_force = steps.load;
     const auto answer = say("control", steps.load ? load : place, steps.reason, !steps.sure,
-                            fmt::format("control = \"{}\" in experiment.toml", steps.load ? place : load));
+                            line_of_control(steps.load ? place : load));
     if (answer) run_.imposes_force = *answer == load;
     run_.by_weights = run_.imposes_force && words_[s[draft_Fx]->place].kind == Kind::mass;
   }

@@ -37,11 +37,14 @@ class RestFinder {
   /// The unloaded shape: commanded angles, the model's, or that of a first reading without load.
   void find(const std::vector<DraftColumn>& commands) {
     if (!commands.empty()) {
+      std::vector<std::string> titles;
       for (const DraftColumn& column : commands) {
+        titles.push_back(run_.source.shown_title(column.place));
         run_.further.push_back(column.place);
         run_.rest.push_back(run_.values(column, quantity::angle).front());
       }
-      say("rest", fmt::format("{:.4g}", fmt::join(run_.rest, ", ")), "the commanded angles");
+      say("rest", fmt::format("{:.4g}", fmt::join(run_.rest, ", ")),
+          fmt::format("the commanded angles {}", fmt::join(titles, ", ")));
       return;
     }
     const Values& own = model_.chain.rest;
@@ -77,8 +80,8 @@ class RestFinder {
 
  private:
   std::optional<std::string> say(const std::string& what, const std::string& value, const std::string& reason,
-                                 bool doubtful = false) {
-    return say_guess(run_, ask_, {what + " of " + run_.source.name(), value, reason, doubtful});
+                                 bool doubtful = false, const std::string& line = "") {
+    return say_guess(run_, ask_, {what + " of " + run_.source.name(), value, reason, doubtful, line});
   }
 
   [[nodiscard]] bool begins_unloaded() const {
@@ -95,8 +98,8 @@ class RestFinder {
   void set_rest(const Values& rest, const std::string& reason, double away) {
     constexpr double large = 0.3;
     run_.rest = rest;
-    const auto answer =
-        say("rest", fmt::format("{:.4g} rad", fmt::join(rest, ", ")), reason, !(away < large));
+    const auto answer = say("rest", fmt::format("{:.4g} rad", fmt::join(rest, ", ")), reason, !(away < large),
+                            fmt::format("rest = [{:.4g}] in its [[run]], in rad", fmt::join(rest, ", ")));
     if (answer) take_rest(*answer);
   }
   void ask_rest(const std::string& reason) {

@@ -13,6 +13,7 @@
 #include "diagnose/draft/drafted_rest.hpp"
 #include "diagnose/draft/joint_columns.hpp"
 #include "diagnose/draft/rest_shape.hpp"
+#include "diagnose/draft/told_columns.hpp"
 #include "diagnose/draft/unit_words.hpp"
 #include "support/files/printable.hpp"
 
@@ -52,9 +53,14 @@ class Drafter {
 
  private:
   /// \return what is to be taken instead
+  /// \param line  that says it instead, in a script
   std::optional<std::string> say(const std::string& what, const std::string& value, const std::string& reason,
-                                 bool doubtful = false) {
-    return say_guess(run_, ask_, {what + " of " + run_.source.name(), value, reason, doubtful});
+                                 bool doubtful = false, const std::string& line = "") {
+    return say_guess(run_, ask_, {what + " of " + run_.source.name(), value, reason, doubtful, line});
+  }
+  /// The line that a script writes to say what a column holds.
+  [[nodiscard]] std::string told(Kind kind, std::size_t column, const std::string& unit, int sign = 1) const {
+    return columns_option({{run_.source.told_name(column), {.kind = kind, .unit = unit, .sign = sign}}});
   }
 
   [[nodiscard]] std::string title(std::size_t column) const { return run_.source.shown_title(column); }
@@ -67,7 +73,8 @@ class Drafter {
     if (standard.empty()) return;
     words_ = standard;
     say("columns", "t, x, y, Fx, Fy" + std::string(columns > draft_singles ? " and the joint angles" : ""),
-        fmt::format("there are {} and no words above them", columns), true);
+        fmt::format("there are {} and no words above them", columns), true,
+        "--columns \"t=1,x=2,y=3,Fx=4,Fy=5\"");
   }
 
   [[nodiscard]] std::optional<std::size_t> column_of(Kind kind, bool commanded) const {
@@ -79,6 +86,10 @@ class Drafter {
     return column_of(kind, false).has_value() || column_of(kind, true).has_value();
   }
 
+  static Kind kind_of(std::size_t single) {
+    static constexpr std::array kinds{Kind::time, Kind::x, Kind::y, Kind::force_x, Kind::force_y};
+    return kinds[single];
+  }
   static const char* channel(std::size_t single) { return single_channels(Alone::no)[single].name; }
 
   void take(std::size_t single, Kind kind, const std::string& reason, bool doubtful = false) {
@@ -86,7 +97,8 @@ class Drafter {
     if (!column) column = column_of(kind, true);
     if (!column) return;
     const std::string said = words_[*column].unit, name = title(*column);
-    const auto answer = say(channel(single), name + (said.empty() ? "" : ", in " + said), reason, doubtful);
+    const auto answer = say(channel(single), name + (said.empty() ? "" : ", in " + said), reason, doubtful,
+                            told(kind_of(single), *column, said));
     if (answer) {
       for (std::size_t c = 0; c < words_.size(); ++c)
         if (run_.source.title(c) == *answer) column = c;
@@ -115,7 +127,7 @@ class Drafter {
     if (!mass || run_.singles[draft_Fx] || run_.singles[draft_Fy]) return;
     const std::string unit = unit_in(words_[*mass].unit.empty() ? "kg" : words_[*mass].unit, quantity::force);
     say("Fy", fmt::format("{}, in {}", title(*mass), unit), "a weight, taken to pull down at the end point",
-        true);
+        true, told(Kind::force_y, *mass, unit, -1));
     run_.singles[draft_Fy] = DraftColumn{*mass, unit, -1};
     run_.by_weights = true;
     kinds_[draft_Fy] = Kind::mass;
@@ -177,8 +189,8 @@ class Drafter {
   /// SI, unless a person says another; nothing in the numbers of a tension or a pressure tells it.
   std::string asked_unit(std::size_t c, const std::string& what) {
     const Quantity& quantity = *quantity_of(words_[c].kind);
-    const auto answer =
-        say("unit of " + what, quantity.si, fmt::format("no unit stands at {}", title(c)), true);
+    const auto answer = say("unit of " + what, quantity.si, fmt::format("no unit stands at {}", title(c)),
+                            true, told(words_[c].kind, c, quantity.si));
     return answer ? parse_unit(*answer, quantity, fmt::format("unit of {}", title(c))).name : "";
   }
 
@@ -226,7 +238,7 @@ class Drafter {
       }
     }
     say("unit of x, y", said ? units.front() : "m", "no unit puts the readings within the reach of the chain",
-        true);
+        true, told(x ? Kind::x : Kind::y, (x ? x : y)->place, said ? units.front() : "m"));
   }
   static void set_place(std::optional<DraftColumn>& column, const std::string& unit, double zero) {
     if (!column) return;
@@ -323,7 +335,8 @@ class Drafter {
     if (run_.by_weights) steps = {true, true, "weights are put"};
     run_.imposes_force = steps.load;
     const auto& [load, sure, reason] = steps;
-    const auto answer = say("control", run_.imposes_force ? "force" : "displacement", reason, !sure);
+    const auto answer = say("control", run_.imposes_force ? "force" : "displacement", reason, !sure,
+                            line_of_control(load ? "displacement" : "force"));
     if (answer) run_.imposes_force = *answer == "force";
     run_.imposes_force ? impose_force() : impose_place("");
   }
@@ -354,7 +367,8 @@ class Drafter {
         const double value = rest[c == draft_x ? 0 : 1];
         run_.singles[c] = DraftColumn{0, "", 1, 0, value};
         say(channel(c), fmt::format("{:.6g} m throughout", value),
-            "no column has it: held where the model rests", true);
+            "no column has it: held where the model rests", true,
+            fmt::format("{} = {{ constant = {:.6g} }} in its [[run]]", channel(c), value));
       }
   }
 

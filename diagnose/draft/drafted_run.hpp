@@ -66,6 +66,9 @@ struct DraftedRun {
 /// \returns the answer
 std::optional<std::string> say_guess(DraftedRun& run, const Ask& ask, Guess guess);
 
+/// The line that a script writes where the other quantity is imposed.
+std::string line_of_control(const std::string& other);
+
 /// What is imposed goes in even steps; what is measured scatters.
 struct EvenSteps {
   bool load;  ///< whether the load is imposed

@@ -11,6 +11,7 @@
 
 #include "diagnose/draft/decoded.hpp"
 #include "diagnose/draft/joined_clocks.hpp"
+#include "diagnose/draft/json_lines.hpp"
 #include "diagnose/draft/readable_table.hpp"
 #include "diagnose/draft/workbook.hpp"
 #include "support/files/printable.hpp"
@@ -103,7 +104,9 @@ DraftFile text_in(const DraftFile& file, const Ask& ask, Guesses& guesses) {
   Decoded text = decoded(file.text);
   if (!text.encoding.empty())
     guesses.push_back({"encoding of " + file.name, text.encoding, "its bytes are no UTF-8"});
-  return {file.name, std::move(text.text)};
+  if (!is_json_lines(text.text)) return {file.name, std::move(text.text)};
+  guesses.push_back({"readings of " + file.name, "JSON", "each is an object; its keys are the columns"});
+  return {file.name.substr(0, dot) + ".csv", csv_of_json_lines(text.text, file.name)};
 }
 
 }  // namespace

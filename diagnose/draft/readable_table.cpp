@@ -13,6 +13,7 @@
 
 #include "diagnose/bench/sample_table.hpp"
 #include "diagnose/draft/cell.hpp"
+#include "diagnose/draft/column_words.hpp"
 #include "diagnose/draft/table_cut.hpp"
 #include "diagnose/draft/table_header.hpp"
 #include "diagnose/draft/unit_words.hpp"
@@ -54,6 +55,12 @@ struct Column {
   }
 };
 
+/// Whether a column is a time that falls from row to row.
+bool goes_back(const std::string& name, const std::vector<double>& numbers) {
+  return numbers.size() > 2 && words_of(name, "", {}).kind == Kind::time &&
+         std::is_sorted(numbers.rbegin(), numbers.rend()) && numbers.back() < numbers.front();
+}
+
 class Rewriting {
  public:
   Rewriting(const std::string& text, const std::string& source, Guesses& guesses)
@@ -63,6 +70,7 @@ class Rewriting {
     if (cut_.columns < 2 || cut_.first_row == lines_.size() || is_readable()) return text_;
     read_columns();
     take_clocks();
+    turn_round();
     take_units();
     return written();
   }
@@ -84,6 +92,8 @@ class Rewriting {
     try {
       const WrittenTable table = written_table(text_, source_);
       if (table.format.transposed) return true;
+      for (std::size_t c = 0; c < table.names.size(); ++c)
+        if (goes_back(table.names[c], table.numbers(c))) return false;
       return !table_header(lines_, cut_).several_lines && !has_other_lines() &&
              !has_column_of_units(table.names);
     } catch (const Error&) {
@@ -153,6 +163,21 @@ class Rewriting {
     }
   }
 
+  /// Some loggers write the newest line first.
+  void turn_round() {
+    for (const Column& column : columns_) {
+      std::vector<double> times;
+      for (const Cell& cell : column.cells) times.push_back(cell.number);
+      if (!goes_back(column.name, times)) continue;
+      say("rows", "turned round", fmt::format("the times of {} fall", column.name));
+      for (Column& one : columns_) {
+        std::reverse(one.cells.begin(), one.cells.end());
+        std::reverse(one.fields.begin(), one.fields.end());
+      }
+      return;
+    }
+  }
+
   void take_units() {
     for (std::size_t c = 0; c < columns_.size(); ++c) {
       Column& column = columns_[c];
@@ -187,10 +212,9 @@ class Rewriting {
     std::string text;
     if (named_) {
       std::vector<std::string> names;
+      while (columns_.back().name.empty() && columns_.back().numbers() == 0) columns_.pop_back();
       for (const Column& column : columns_) names.push_back(files::csv_field(column.name));
-      while (!names.empty() && names.back().empty()) names.pop_back();
       text = fmt::format("{}\n", fmt::join(names, ","));
-      columns_.resize(names.size());
     }
     for (std::size_t row = 0; row < columns_.front().fields.size(); ++row) {
       std::vector<std::string> fields;

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <iterator>
 #include <plumbline/base/error.hpp>
-#include <set>
 #include <tuple>
 
 #include "diagnose/draft/column_numbers.hpp"
@@ -29,7 +28,7 @@ auto rank(const ColumnWords& words) {
 /// Of columns of one quantity, of which some say how they were treated, the others say nothing any more.
 void take_one_treatment(std::vector<ColumnWords>& all) {
   for (ColumnWords& one : all) {
-    if (one.kind == Kind::none) continue;
+    if (one.kind == Kind::none || one.kind == Kind::doubled) continue;
     const auto is_same = [&](const ColumnWords& other) { return quantity_in(other) == quantity_in(one); };
     const bool treated = std::any_of(all.begin(), all.end(), [&](const ColumnWords& other) {
       return is_same(other) && other.treatment != Treatment::none;
@@ -37,7 +36,7 @@ void take_one_treatment(std::vector<ColumnWords>& all) {
     const bool best = std::none_of(all.begin(), all.end(), [&](const ColumnWords& other) {
       return is_same(other) && rank(other) < rank(one);
     });
-    if (treated && !best) one.kind = Kind::none;
+    if (treated && !best) one.kind = Kind::doubled;
   }
 }
 
@@ -52,7 +51,7 @@ void place_motors(std::vector<ColumnWords>& all) {
   for (ColumnWords& one : all) {
     if (!one.at_motor) continue;
     if (reached && !commanded) one.commanded = true;
-    if (reached && commanded) one.kind = Kind::none;
+    if (reached && commanded) one.kind = Kind::doubled;
   }
 }
 
@@ -99,6 +98,11 @@ std::string RunSource::shown_title(std::size_t column) const {
   return name.empty() ? fmt::format("column {}", column - part_of(column).first + 1) : name;
 }
 
+std::string RunSource::told_name(std::size_t column) const {
+  const std::string name = title(column);
+  return name.empty() ? fmt::format("{}", column - part_of(column).first + 1) : name;
+}
+
 std::vector<ColumnWords> RunSource::words(const std::vector<std::string>& joints) const {
   std::vector<ColumnWords> all;
   for (std::size_t c = 0; c < columns(); ++c) {
@@ -112,16 +116,23 @@ std::vector<ColumnWords> RunSource::words(const std::vector<std::string>& joints
   return all;
 }
 
+std::set<std::string> take_told(RunSource& source, const std::vector<ToldColumn>& told) {
+  std::set<std::string> known;
+  for (const ToldColumn& one : told)
+    for (std::size_t c = 0; c < source.columns(); ++c)
+      if (source.told_name(c) == one.column ||
+          fmt::format("{}", c - source.part_of(c).first + 1) == one.column)
+        source.told[c] = one.words, known.insert(one.column);
+  return known;
+}
+
 std::vector<RunSource> run_sources(const std::vector<DraftFile>& files,
                                    const std::vector<std::string>& joints,
                                    const std::vector<ToldColumn>& told, Guesses& guesses) {
   std::vector<RunSource> all;
   std::set<std::string> known;
   for (RunSource& whole : files_of_runs(files, joints, guesses)) {
-    for (const ToldColumn& one : told)
-      for (std::size_t c = 0; c < whole.columns(); ++c)
-        if (whole.title(c) == one.column || fmt::format("{}", c - whole.part_of(c).first + 1) == one.column)
-          whole.told[c] = one.words, known.insert(one.column);
+    known.merge(take_told(whole, told));
     std::vector<RunSource> runs = runs_side_by_side(whole, joints, guesses);
     std::move(runs.begin(), runs.end(), std::back_inserter(all));
   }

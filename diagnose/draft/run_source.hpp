@@ -3,6 +3,7 @@
 /// The columns that a run is drafted from: those of a table, some of them, or those of several files.
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,8 @@ struct RunSource {
   [[nodiscard]] std::string title(std::size_t column) const;
   /// The same, or "column 3" where there is no word.
   [[nodiscard]] std::string shown_title(std::size_t column) const;
+  /// The same, or "3", as a person names a column.
+  [[nodiscard]] std::string told_name(std::size_t column) const;
   [[nodiscard]] std::string unit(std::size_t column) const;
   /// NaN where there is none.
   [[nodiscard]] std::vector<double> numbers(std::size_t column) const;
@@ -55,6 +58,10 @@ struct ToldColumn {
   std::string column;
   ColumnWords words;
 };
+
+/// The columns of a source that a person says something of become so.
+/// \returns the names by which they were told
+std::set<std::string> take_told(RunSource& source, const std::vector<ToldColumn>& told);
 
 /// Runs out of tables: files of one run are put together, runs side by side in one table are told apart.
 /// \param joints  their names in the model

@@ -8,6 +8,8 @@
 #include <map>
 #include <tuple>
 
+#include "diagnose/draft/told_columns.hpp"
+
 namespace plumbline::diagnose {
 namespace {
 
@@ -87,10 +89,11 @@ Blocks numbered(const RunSource& whole, const std::vector<ColumnWords>& words) {
   return best;
 }
 
-/// The content of numbered columns beside one imposed quantity: the other one, along the same axis.
+/// The content of numbered columns beside one imposed quantity of the end point: the other one, along the
+/// same axis. Beside angles they are of the joints, and no word says how.
 Kind answer_of(const std::vector<ColumnWords>& words) {
   const bool forces = any(words, is_force), places = any(words, is_place);
-  if (forces == places) return Kind::none;
+  if (forces == places || any(words, [](Kind kind) { return kind == Kind::angle; })) return Kind::none;
   if (forces) return any(words, [](Kind kind) { return kind == Kind::force_y; }) ? Kind::y : Kind::x;
   return any(words, [](Kind kind) { return kind == Kind::y; }) ? Kind::force_y : Kind::force_x;
 }
@@ -108,6 +111,13 @@ std::vector<RunSource> apart(const RunSource& whole, const Blocks& blocks, Kind 
   return runs;
 }
 
+/// The line that a script writes: what the columns of each run hold.
+std::string told_line(const RunSource& whole, const Blocks& blocks, const ColumnWords& words) {
+  std::vector<ToldColumn> told;
+  for (const auto& block : blocks) told.push_back({whole.told_name(block.front()), words});
+  return columns_option(told);
+}
+
 std::string titles(const RunSource& whole, const Blocks& blocks) {
   std::vector<std::string> all;
   for (const std::size_t c : blocks[0]) all.push_back(whole.title(c));
@@ -122,9 +132,10 @@ std::vector<RunSource> runs_side_by_side(const RunSource& whole, const std::vect
   const std::vector<ColumnWords> words = whole.words(joints);
   const std::string what = "runs in " + whole.parts.front().file;
   if (const Blocks blocks = repeated(words); !blocks.empty()) {
+    const bool told = whole.told.contains(blocks[0].front());
     guesses.push_back({what, fmt::format("{} side by side", blocks.size()),
                        fmt::format("columns like {} stand there so many times", titles(whole, blocks)),
-                       blocks[0].size() == 1});
+                       blocks[0].size() == 1 && !told, told_line(whole, blocks, words[blocks[0].front()])});
     return apart(whole, blocks, Kind::none);
   }
   const Kind answer = answer_of(words);
@@ -133,7 +144,7 @@ std::vector<RunSource> runs_side_by_side(const RunSource& whole, const std::vect
   guesses.push_back({what, fmt::format("{} side by side", blocks.size()),
                      fmt::format("columns like {} are numbered: taken for the {} of a run each",
                                  titles(whole, blocks), is_force(answer) ? "force" : "place"),
-                     true});
+                     true, told_line(whole, blocks, ColumnWords{answer})});
   return apart(whole, blocks, answer);
 }
 

@@ -32,12 +32,12 @@ bool looks_like_units(const std::vector<std::string>& fields) {
   return said > 0 && 2 * units >= said;
 }
 
-/// Whether a name stands there for each column, or for all but the last; or, above the rows, for columns
-/// without a value too.
-bool names_columns(const std::vector<std::string>& fields, const Cut& cut, bool last) {
-  constexpr std::size_t without_value = 3;
-  const std::size_t most = last ? cut.columns + without_value : cut.columns;
-  return fields.size() + 1 >= cut.columns && fields.size() <= most && !is_row(fields, cut.decimal);
+/// Whether names of columns may stand there: of all, of all but the last, or of some without a value too.
+bool names_columns(const std::vector<std::string>& fields, const Cut& cut) {
+  const std::size_t least = std::max<std::size_t>(cut.columns - 1, 2),  // a single word is a title
+      without_value = cut.delimiter == ' ' ? 0 : 3;
+  return fields.size() >= least && fields.size() <= cut.columns + without_value &&
+         !is_row(fields, cut.decimal);
 }
 
 bool repeat(const std::vector<std::string>& words) {
@@ -52,13 +52,7 @@ TableHeader table_header(const std::vector<Line>& lines, const Cut& cut) {
   TableHeader header;
   std::vector<std::size_t> above;
   for (std::size_t l = 0; l < cut.first_row; ++l)
-    if (!lines[l].comment && names_columns(fields_of(lines[l].text, cut.delimiter), cut, false))
-      above.push_back(l);
-  if (above.empty() && cut.first_row > 0 && cut.delimiter != ' ') {
-    const std::size_t last = cut.first_row - 1;
-    if (!lines[last].comment && names_columns(fields_of(lines[last].text, cut.delimiter), cut, true))
-      above = {last};
-  }
+    if (!lines[l].comment && names_columns(fields_of(lines[l].text, cut.delimiter), cut)) above.push_back(l);
   if (above.empty()) return header;
   const auto fields = [&](std::size_t l) {
     std::vector<std::string> all = fields_of(lines[l].text, cut.delimiter);

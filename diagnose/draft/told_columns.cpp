@@ -15,40 +15,40 @@ namespace plumbline::diagnose {
 namespace {
 
 struct ChannelWord {
-  const char* name;
+  const char *name, *means;
   Kind kind;
   bool commanded = false, numbered = false;
   char axis = ' ';
 };
 
-constexpr ChannelWord channels[] = {{"t", Kind::time},
-                                    {"x", Kind::x},
-                                    {"y", Kind::y},
-                                    {"z", Kind::z},
-                                    {"F", Kind::force},
-                                    {"Fx", Kind::force_x},
-                                    {"Fy", Kind::force_y},
-                                    {"Fz", Kind::force_z},
-                                    {"Mx", Kind::moment_x},
-                                    {"My", Kind::moment_y},
-                                    {"Mz", Kind::moment_z},
-                                    {"angle", Kind::angle},
-                                    {"q_command", Kind::angle, true, true},
-                                    {"q", Kind::angle, false, true},
-                                    {"torque", Kind::torque, false, true},
-                                    {"weight", Kind::mass},
-                                    {"temperature", Kind::temperature},
-                                    {"tension", Kind::tension},
-                                    {"pressure", Kind::pressure},
-                                    {"qw", Kind::rotation, false, false, 'W'},
-                                    {"qx", Kind::rotation, false, false, 'X'},
-                                    {"qy", Kind::rotation, false, false, 'Y'},
-                                    {"qz", Kind::rotation, false, false, 'Z'},
-                                    {"roll", Kind::rotation, false, false, 'r'},
-                                    {"pitch", Kind::rotation, false, false, 'p'},
-                                    {"yaw", Kind::rotation, false, false, 'y'},
-                                    {"run", Kind::run},
-                                    {"ignore", Kind::left_out}};
+constexpr ChannelWord channels[] = {{"t", "time", Kind::time},
+                                    {"x", "place along x", Kind::x},
+                                    {"y", "place along y", Kind::y},
+                                    {"z", "place along z", Kind::z},
+                                    {"F", "the only force", Kind::force},
+                                    {"Fx", "force along x", Kind::force_x},
+                                    {"Fy", "force along y", Kind::force_y},
+                                    {"Fz", "force along z", Kind::force_z},
+                                    {"Mx", "moment about x", Kind::moment_x},
+                                    {"My", "moment about y", Kind::moment_y},
+                                    {"Mz", "moment about z", Kind::moment_z},
+                                    {"angle", "angle of the joint", Kind::angle},
+                                    {"q_command", "commanded angle", Kind::angle, true, true},
+                                    {"q", "joint angle", Kind::angle, false, true},
+                                    {"torque", "torque", Kind::torque, false, true},
+                                    {"weight", "mass that hangs", Kind::mass},
+                                    {"temperature", "temperature", Kind::temperature},
+                                    {"tension", "tension of a tendon", Kind::tension},
+                                    {"pressure", "pressure of an actuator", Kind::pressure},
+                                    {"qw", "quaternion, w", Kind::rotation, false, false, 'W'},
+                                    {"qx", "quaternion, x", Kind::rotation, false, false, 'X'},
+                                    {"qy", "quaternion, y", Kind::rotation, false, false, 'Y'},
+                                    {"qz", "quaternion, z", Kind::rotation, false, false, 'Z'},
+                                    {"roll", "roll", Kind::rotation, false, false, 'r'},
+                                    {"pitch", "pitch", Kind::rotation, false, false, 'p'},
+                                    {"yaw", "yaw", Kind::rotation, false, false, 'y'},
+                                    {"run", "name of the run", Kind::run},
+                                    {"ignore", "left out", Kind::left_out}};
 
 /// Parts between single separators; a double one stands for itself.
 std::vector<std::string> parts(const std::string& text, char separator) {
@@ -78,8 +78,10 @@ ColumnWords words_of_channel(const std::string& name) {
     if (numbered && name.size() < stem.size() + digits) words.joint = std::stoul(name.substr(stem.size()));
     return words;
   }
+  std::vector<std::string> names;
+  for (const ChannelWord& one : channels) names.emplace_back(one.name);
   throw Error("--columns", files::shown(name),
-              fmt::format("one of {}, q1 …, q_command1 …, torque1 …", fmt::join(channel_words(), ", ")));
+              fmt::format("one of {}, q1 …, q_command1 …, torque1 …", fmt::join(names, ", ")));
 }
 
 /// A torque may be told in the unit of a force on a lever, a force by the mass that weighs so much.
@@ -92,10 +94,35 @@ void take_unit(ColumnWords& words, const std::string& unit) {
 
 }  // namespace
 
-std::vector<std::string> channel_words() {
-  std::vector<std::string> all;
-  for (const ChannelWord& one : channels) all.emplace_back(one.name);
+std::vector<ChannelChoice> channel_choices() {
+  std::vector<ChannelChoice> all;
+  for (const ChannelWord& one : channels) {
+    const Quantity* const quantity = quantity_of(one.kind);
+    const bool has_unit = quantity != nullptr && one.kind != Kind::rotation;
+    all.push_back({one.name, one.means, one.numbered,
+                   has_unit ? parts(quantity->examples, ',') : std::vector<std::string>()});
+    for (std::string& unit : all.back().units) unit.erase(0, unit.find_first_not_of(' '));
+  }
   return all;
+}
+
+std::string channel_word(const ColumnWords& words) {
+  for (const ChannelWord& one : channels)
+    if (one.kind == words.kind && one.commanded == words.commanded && one.axis == words.axis &&
+        (words.joint == 0 || one.numbered))
+      return words.joint == 0 ? one.name : fmt::format("{}{}", one.name, words.joint);
+  return "";
+}
+
+std::string columns_option(const std::vector<ToldColumn>& told) {
+  std::vector<std::string> entries;
+  for (const ToldColumn& one : told) {
+    std::string column;
+    for (const char c : one.column) column += c == ',' || c == ':' ? std::string(2, c) : std::string(1, c);
+    entries.push_back(fmt::format("{}={}{}{}", channel_word(one.words), one.words.sign < 0 ? "-" : "", column,
+                                  one.words.unit.empty() ? "" : ":" + one.words.unit));
+  }
+  return fmt::format("--columns \"{}\"", fmt::join(entries, ","));
 }
 
 std::vector<ToldColumn> told_columns(const std::string& text) {

@@ -17,7 +17,18 @@ namespace plumbline::diagnose {
 /// \throws Error for anything else
 std::vector<ToldColumn> told_columns(const std::string& text);
 
-/// The names of the channels, for whoever offers them.
-std::vector<std::string> channel_words();
+/// The option of the command that says so: `--columns "Fx=-Kraft:kgf"`.
+std::string columns_option(const std::vector<ToldColumn>& told);
+
+/// A meaning that a person may give to a column.
+struct ChannelChoice {
+  std::string word;                ///< "q_command"
+  std::string means;               ///< "commanded angle"
+  bool numbered;                   ///< of one of several joints: "q_command2"
+  std::vector<std::string> units;  ///< usual ones; none where it has no unit
+};
+std::vector<ChannelChoice> channel_choices();
+/// The one that says these words: "q_command2"; empty where none does.
+std::string channel_word(const ColumnWords& words);
 
 }  // namespace plumbline::diagnose

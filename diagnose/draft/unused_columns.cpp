@@ -6,6 +6,7 @@
 #include <set>
 
 #include "diagnose/draft/column_numbers.hpp"
+#include "diagnose/draft/told_columns.hpp"
 
 namespace plumbline::diagnose {
 namespace {
@@ -15,11 +16,11 @@ std::string reason_of(const RunSource& source, std::size_t column, const ColumnW
   const ColumnWords own = words_of(source.title(column), source.unit(column), joints);
   if (words.kind == Kind::left_out) return "as you said";
   if (finite(source.numbers(column)).empty()) return "no numbers stand there";
-  if (words.kind == Kind::none && own.treatment == Treatment::raw) return "another column has it in its unit";
-  if (words.kind == Kind::none && own.treatment == Treatment::filtered)
-    return "another column has it unfiltered";
-  if (words.kind == Kind::none && own.at_motor) return "the motor's side of joints whose command is there";
-  if (words.kind == Kind::none && own.kind != Kind::none) return "another column has it";
+  if (words.kind == Kind::doubled)
+    return own.treatment == Treatment::raw        ? "another column has it in its unit"
+           : own.treatment == Treatment::filtered ? "another column has it unfiltered"
+           : own.at_motor                         ? "the motor's side of joints whose command is there"
+                                                  : "another column has it";
   if (words.kind == Kind::none) return "its name says no quantity of this bench";
   return fmt::format("{}, and this bench has no channel for it", name_of(words.kind));
 }
@@ -40,7 +41,7 @@ void account_for_columns(const std::vector<UsedColumns>& runs, const std::vector
       if (elsewhere || empty || run.uses(c) || !said.insert(source.part_of(c).file + "\n" + title).second)
         continue;
       Guess guess{"column " + title, "not used", reason_of(source, c, words[c], joints), is_missed(words[c]),
-                  fmt::format("--columns \"ignore={}\"", title)};
+                  columns_option({{source.told_name(c), {.kind = Kind::left_out}}})};
       if (once)
         guess.reason = words[c].kind == Kind::time ? "the time of another file counts" : "it names the runs";
       if (guess.doubtful && ask && ask(guess)) guess.doubtful = false;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "diagnose/rig/regime.hpp"
 #include "support/page/chart.hpp"
@@ -12,17 +13,55 @@ namespace plumbline::diagnose {
 namespace {
 
 using Kind = page::Layer::Kind;
+constexpr double degrees_a_radian = 57.29577951308232;
 
 std::string panel_id(const char* what, std::size_t run, const Channel& channel) {
   return fmt::format("{}-{}-{}", what, run + 1, channel.label());
 }
 
-/// One channel of a trace over the command.
-std::vector<page::ChartPoint> curve(const Trace& trace, const Channel& channel, const Command& command) {
-  std::vector<page::ChartPoint> points;
+/// Whether lines between readings mean something: joints that are sent from pose to pose without a clock
+/// pass nowhere between them.
+bool is_a_path(const Study& study, std::size_t run) {
+  return !study.experiment().runs[run].commands_joints() || study.measurements().has_clock(run);
+}
+
+/// Whether a channel is folded away: angles beside an end point, which are many.
+bool is_beside(const Run& run, const Channel& channel) {
+  return channel.name == Channel::Name::q && !run.commands_joints();
+}
+
+/// In degrees and millimetres.
+Command in_shown_unit(Command command) {
+  for (const auto& [si, shown, factor] :
+       {std::tuple(", rad", ", deg", degrees_a_radian), std::tuple(", m", ", mm", 1e3)}) {
+    if (!command.label.ends_with(si)) continue;
+    command.label.replace(command.label.size() - std::string(si).size(), std::string::npos, shown);
+    for (double& value : command.along) value *= factor;
+    break;
+  }
+  return command;
+}
+
+/// Abscissae of a channel: its joint's command, where joints are commanded, else the command of the run.
+Command command_for(const Run& run, const Channel& channel) {
+  const bool of_joint = channel.kind().index == ChannelKind::Index::joint || run.rest.size() == 1;
+  if (!run.commands_joints() || !of_joint) return in_shown_unit(command_of(run));
+  Command command{{}, "command", 0};
+  const std::size_t joint = run.rest.size() == 1 ? 0 : channel.joint;
+  for (const Reading& reading : run.readings) command.along.push_back(reading.rest[joint]);
+  if (run.rest.size() > 1) command.label += fmt::format(" of joint {}", joint + 1);
+  command.label += run.alone == Alone::slides ? ", m" : ", rad";
+  return in_shown_unit(command);
+}
+
+page::Layer modelled(const DrawnModel& model, const Series& series, const Command& command, bool path) {
+  const Trace& trace = model.prediction->runs[series.run];
+  const double unit = shown_unit(series.channel).per_si;
+  page::Layer layer{path ? Kind::line : Kind::rings, model.ink, {}, 2.4};
   for (Eigen::Index i = 0; i < trace.rows(); ++i)
-    points.push_back({command.along[static_cast<std::size_t>(i)], trace(i, channel.column)});
-  return points;
+    layer.points.push_back(
+        {command.along[static_cast<std::size_t>(i)], unit * trace(i, series.channel.column)});
+  return layer;
 }
 
 page::Strip strip_of(Regime regime, double from, double to) {
@@ -77,7 +116,8 @@ page::Chart residual_chart(const Explained& explained, std::size_t place, double
       "residual of " + series.channel.label() + ", σ",
       {before}};
   if (explained.best != nullptr) chart.layers.push_back(after);
-  chart.across = regime_strips(regimes(run, explained.nominal.runs[series.run]));
+  if (explained.experiment.is_planar())
+    chart.across = regime_strips(regimes(run, explained.nominal.runs[series.run]));
   chart.along = {{-2 * sigma, 2 * sigma, "noise"}};
   chart.signed_log = true;
   chart.y_range = page::ChartPoint{-most, most};
@@ -86,34 +126,42 @@ page::Chart residual_chart(const Explained& explained, std::size_t place, double
 
 }  // namespace
 
-std::vector<PageChart> curve_charts(const Explained& explained) {
+ShownUnit shown_unit(const Channel& channel) {
+  if (channel.unit() == "rad") return {degrees_a_radian, "deg"};
+  if (channel.unit() == "m") return {1e3, "mm"};
+  return {1, std::string(channel.unit())};
+}
+
+std::vector<PageChart> curve_charts(const Study& study, const std::vector<DrawnModel>& models,
+                                    const HeldOut& heldout) {
   std::vector<PageChart> charts;
-  const HeldOut heldout = heldout_of(explained);
-  for (const Series& series : explained.measurements.series()) {
-    const Run& run = explained.experiment.runs[series.run];
-    const Command command = command_of(run);
+  for (const Series& series : study.measurements().series()) {
+    const Run& run = study.experiment().runs[series.run];
+    const bool path = is_a_path(study, series.run);
+    if (!path && series.channel.name == Channel::Name::place) continue;  // of these are the residual vectors
+    const Command command = command_for(run, series.channel);
+    const ShownUnit unit = shown_unit(series.channel);
     page::Layer measured{Kind::dots, "measured", {}, series.readings.size() > 30 ? 1.6 : 2.6};
     page::Layer set_aside{Kind::rings, "heldout", {}, 2.8};
     measured.told = true;
     for (const std::size_t i : series.readings) {
-      const page::ChartPoint point{command.along[i], series.channel.of(run.readings[i])};
+      const page::ChartPoint point{command.along[i], unit.per_si * series.channel.of(run.readings[i])};
       measured.points.push_back(point);
       if (!heldout.empty() && heldout.reading[series.run][i]) set_aside.points.push_back(point);
     }
     page::Chart chart{
         panel_id("curve", series.run, series.channel),
         series.channel.label() + " in run " + run.id,
-        "Measured values as dots, the nominal model as a thin and the corrected one as a bold line.",
+        path ? "Measured values as dots, the nominal model as a thin and the corrected one as a bold line."
+             : "Measured values as dots, what the models say there as rings.",
         command.label,
-        with_unit(series.channel),
-        {{Kind::line, "nominal", curve(explained.nominal.runs[series.run], series.channel, command)}}};
-    if (explained.best != nullptr)
-      chart.layers.push_back(
-          {Kind::line, "corrected", curve(explained.corrected.runs[series.run], series.channel, command)});
+        series.channel.label() + ", " + unit.name,
+        {}};
+    for (const DrawnModel& model : models) chart.layers.push_back(modelled(model, series, command, path));
     chart.layers.push_back(measured);
     chart.layers.push_back(set_aside);
-    charts.push_back({run.id + ": " + series.channel.label(), page::drawn(chart),
-                      series.channel.name == Channel::Name::q});
+    charts.push_back(
+        {run.id + ": " + series.channel.label(), page::drawn(chart), is_beside(run, series.channel)});
   }
   return charts;
 }
@@ -125,7 +173,7 @@ std::vector<PageChart> residual_charts(const Explained& explained) {
     const Series& series = explained.series(s);
     charts.push_back({explained.experiment.runs[series.run].id + ": " + series.channel.label(),
                       page::drawn(residual_chart(explained, s, most)),
-                      series.channel.name == Channel::Name::q});
+                      is_beside(explained.experiment.runs[series.run], series.channel)});
   }
   return charts;
 }

@@ -226,7 +226,11 @@ void add_where(Json& view, const Json& report, const Explained& explained) {
 }
 
 void add_charts(Json& view, const Explained& explained) {
-  const std::vector<PageChart> curves = curve_charts(explained), residuals = residual_charts(explained);
+  std::vector<DrawnModel> models{{"nominal", &explained.nominal}};
+  if (explained.best != nullptr) models.push_back({"corrected", &explained.corrected});
+  const std::vector<PageChart> curves = curve_charts(explained.study, models, heldout_of(explained)),
+                               residuals = residual_charts(explained);
+  view["tips"] = section(charts(tip_charts(explained.study, models), false));
   view["curves"] = charts(curves, false);
   view["some_heldout"] = !heldout_of(explained).empty();
   view["angle_curves"] = section(charts(curves, true));

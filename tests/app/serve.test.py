@@ -8,6 +8,7 @@ Needs the packages chromium, chromium-driver, python3-selenium. PLUMBLINE_PICTUR
 import contextlib
 import http.client
 import json
+import math
 import os
 import pathlib
 import re
@@ -25,7 +26,7 @@ from selenium import webdriver
 from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
-from selenium.webdriver.support.ui import WebDriverWait
+from selenium.webdriver.support.ui import Select, WebDriverWait
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PLUMBLINE = sys.argv.pop(1)
@@ -278,7 +279,7 @@ class Person(unittest.TestCase):
         self.picture("corrected")
         self.part("begin").click()
         self.until(lambda: self.browser.find_elements(By.CSS_SELECTOR, "#models a"))
-        self.assertIn("joint_friction", self.part("words").text)
+        self.assertIn("joint_friction", self.part("words").get_attribute("textContent"))
         self.assertFalse(self.part("busy").is_displayed())
         self.picture("diagnosed")
         link = self.browser.find_element(By.PARTIAL_LINK_TEXT, "arm-corrected.xml")
@@ -296,9 +297,42 @@ class Person(unittest.TestCase):
             archive.extractall(place / "out")
         done = subprocess.run([PLUMBLINE, "check-experiment", place / "out/experiment"], capture_output=True, text=True, check=False)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        # The report stands in the page as a whole: its frame has no bar of its own to scroll.
+        self.until(lambda: self.browser.execute_script(
+            "const page = arguments[0].contentDocument.documentElement;"
+            "return page.scrollHeight > 1000 && arguments[0].clientHeight >= page.scrollHeight", self.part("report")))
         self.browser.switch_to.frame(self.part("report"))
         self.assertIn("joint_friction", self.browser.find_element(By.TAG_NAME, "body").text)
         self.browser.switch_to.default_content()
+        self.no_complaints()
+
+    def test_columns_that_no_word_tells_are_told_above_them(self):
+        place = pathlib.Path(self.folder.name, "told")
+        place.mkdir(exist_ok=True)
+        (place / "hinge.toml").write_text('[nominal]\njoint = "revolute"\njoint_stiffness = [200.0]\n')
+        turns = [0.25 * i for i in range(13)] + [3 - 0.25 * i for i in range(1, 13)]
+        rows = "".join(f"{a};{-200 * math.radians(a) - (0.4 if i < 13 else -0.4):.4f}\n" for i, a in enumerate(turns))
+        (place / "bench.csv").write_text("Kanal A;Kanal B\n" + rows)
+        self.part("files").send_keys(f"{place / 'hinge.toml'}\n{place / 'bench.csv'}")
+        self.part("take").click()
+        self.until(lambda: self.part("read").is_displayed())
+        self.assertIn("Kanal A", self.part("question").text)
+        self.assertFalse(self.part("begin").is_enabled())
+
+        def choose(what, value):
+            Select(self.browser.find_element(By.CSS_SELECTOR, f'select[aria-label="{what}"]')).select_by_value(value)
+        choose("Meaning of Kanal A", "angle")
+        choose("Unit of Kanal A", "deg")
+        choose("Meaning of Kanal B", "torque")
+        choose("Unit of Kanal B", "N m")
+        choose("Sign of Kanal B", "-1")
+        self.assertEqual(self.part("columns").get_attribute("value"), "angle=Kanal A:deg,torque=-Kanal B:N m")
+        self.picture("told")
+        self.part("retell").click()
+        self.until(lambda: "Nothing looks like" in self.part("say").text)
+        self.assertEqual(self.browser.switch_to.active_element.get_attribute("id"), "read-title")
+        self.assertIn("torque, N m", self.part("plots").text)
+        self.picture("taken")
         self.no_complaints()
 
     def test_the_example_by_keyboard_alone_in_the_dark_on_a_phone(self):

@@ -165,6 +165,8 @@ def reports(folder):
     arm = written("diagnose", str(SCHEMAS.parent / "examples" / "arm"), folder=folder)
     greased = SCHEMAS.parent / "examples" / "greased-joint"
     changed = written("diagnose", str(greased / "greased"), "--against", str(greased / "dry"), folder=folder)
+    hold("change-plan", [written("diagnose", str(greased / "dry"), "--plan", "--change", f"joint_friction={size}", folder=folder)
+                         for size in (0.05, 1e-6)])
     shutil.copytree(SCHEMAS.parent / "examples" / "arm", folder / "anywhere")
     settings = (folder / "anywhere" / "experiment.toml").read_text(encoding="utf-8")
     (folder / "anywhere" / "experiment.toml").write_text(settings.replace("[arm]\n", "[arm]\nframes = \"unknown\"\n", 1), encoding="utf-8")
@@ -192,7 +194,12 @@ def many(folder):
         (place / "experiment.toml").write_text(f"date = 2026-03-0{day}\n{settings}", encoding="utf-8")
     two_links.write(folder / "one-spring", lambda joint, d, k: 1.3 * k * d, stiffness=(0.0, 1.5))
     (folder / "broken").mkdir()
-    hold("gap-campaign", [written("diagnose", "day-1", "day-2", "day-3", folder=folder),
+    for day, state in ((1, "dry"), (2, "greased")):
+        place = shutil.copytree(ROOT / "docs/examples" / "greased-joint" / state, folder / f"joint-{day}")
+        settings = (place / "experiment.toml").read_text(encoding="utf-8")
+        (place / "experiment.toml").write_text(f"date = 2026-03-0{day}\n{settings}", encoding="utf-8")
+    hold("gap-campaign", [written("diagnose", "joint-1", "joint-2", "--since", folder=folder),
+                          written("diagnose", "day-1", "day-2", "day-3", folder=folder),
                           written("diagnose", "day-1", "one-spring", "broken", folder=folder, statuses=[1])])
 
 

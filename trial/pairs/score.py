@@ -40,8 +40,16 @@ def keys(effects):
     return sorted(named(e) if isinstance(e, str) else key(e) for e in effects)
 
 
+def listed(said):
+    """Every cause of an answer with its sense: "added", "removed", or "either", where signs of parameters tell it."""
+    cause, against = said["cause"], said.get("against", {})
+    sense = against.get("sense", "either")
+    other = {"added": "removed", "removed": "added"}.get(sense, "either")
+    return [(keys(one), sense) for one in [cause["effects"], *cause["equivalent"]]] + [(keys(one), other) for one in against.get("otherwise", [])]
+
+
 def answer(label, said, sense=None):
-    """\\\param sense  "added" or "removed", where that is not the sign of a parameter """
+    """\\param sense  "added" or "removed", where that is not the sign of a parameter """
     if said is None:
         return "no report"
     cause = said["cause"]
@@ -53,14 +61,10 @@ def answer(label, said, sense=None):
     if cause["verdict"] == "unknown":
         return "right" if truth == ["unknown"] else "unknown"
     if truth == ["unknown"]:
-        listed = [keys(one) for one in cause["equivalent"]]
-        return "in the class" if ["unknown"] in listed or cause["verdict"] == "partial" else "wrong, sure" if cause["verdict"] == "identified" else "wrong, hedged"
+        named_unknown = any(one == ["unknown"] for one, _ in listed(said))
+        return "in the class" if named_unknown or cause["verdict"] == "partial" else "wrong, sure" if cause["verdict"] == "identified" else "wrong, hedged"
     accepted = [truth] + [keys(one) for one in label["equivalent"]]
-    listed = [keys(cause["effects"])] + [keys(one) for one in cause["equivalent"]]
-    way = sense is None or said["against"]["sense"] in (sense, "either")
-    if said.get("against", {}).get("otherwise"):
-        listed.append(keys(said["against"]["otherwise"]))
-    found = any(one in accepted for one in listed) and way
+    found = any(one in accepted and (sense is None or its in (sense, "either")) for one, its in listed(said))
     if cause["verdict"] == "identified":
         return "right" if found else "wrong, sure"
     return "in the class" if found else "wrong, hedged"

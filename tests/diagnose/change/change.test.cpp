@@ -111,6 +111,14 @@ TEST_CASE("two data sets of one device show no change, though its model lacks an
   CHECK(check(change) == Check::same);
 }
 
+TEST_CASE("a check says 0, 1 and 2 on either side of its limits") {
+  CHECK(static_cast<int>(check_of(check_is_sure / 2)) == 0);
+  CHECK(static_cast<int>(check_of(1 - check_is_sure / 2)) == 1);
+  CHECK(static_cast<int>(check_of(0.5)) == 2);
+}
+
+TEST_SUITE_BEGIN("long");
+
 TEST_CASE("an effect that came is there now, and one that went was there before: the other way round") {
   Candidate both = lack;
   both.effects.push_back(friction.effects.front());
@@ -129,6 +137,38 @@ TEST_CASE("an effect that came is there now, and one that went was there before:
   }
   CHECK(came.sense == Sense::added);
   CHECK(went.sense == Sense::removed);
+  // The same two sets of readings: both senses change places, and nothing else does.
+  CHECK(came.sense_probability == close_to(went.sense_probability));
   CHECK(as_text(came).find("dry friction in the joints, there now and not before") != std::string::npos);
   CHECK(as_json(went)["against"]["sense"] == "removed");
 }
+
+TEST_CASE("a stiffer end that came is no softer one that went: the state before needs the simpler model") {
+  const Candidate stop = only("joint_stop", 2);
+  const Study without(measured(swept(20), {}, {}, 75)), with(measured(swept(20), stop, {0.05, 1}, 76));
+  const Change came = what_changed(without, with), went = what_changed(with, without);
+  for (const Change* change : {&came, &went}) {
+    INFO(as_text(*change));
+    REQUIRE(change->diagnosis.cause.is_explained());
+    CHECK(change->diagnosis.cause.ranking.front().cause == stop);
+  }
+  CHECK(came.sense == Sense::added);
+  CHECK(went.sense == Sense::removed);
+}
+
+TEST_CASE("a payload at rest is found within a twentieth, beside a lack that both states share") {
+  constexpr double weight = 0.5;
+  Candidate both = lack;
+  both.effects.push_back(only("tip_payload").effects.front());
+  std::vector<double> values = of_lack;
+  values.push_back(weight);
+  const Change change = what_changed(Study(measured(full_bench(), lack, of_lack, 77)),
+                                     Study(measured(full_bench(), both, values, 78)));
+  INFO(as_text(change));
+  REQUIRE(change.diagnosis.cause.is_explained());
+  CHECK(change.diagnosis.cause.ranking.front().cause == only("tip_payload"));
+  CHECK(change.diagnosis.estimates.front().front().value == close_to(weight).epsilon(0.05));
+  CHECK(change.sense == Sense::added);
+}
+
+TEST_SUITE_END();

@@ -190,6 +190,32 @@ TEST_CASE("a recording of motion capture without joint angles is a question") {
       doctest::Contains("--columns"), Error);
 }
 
+TEST_CASE("motor encoders beside commands and joint encoders are neither a force nor runs of their own") {
+  const DraftModel arm = nominal_model("link_length = [0.3, 0.25]\njoint_stiffness = [60, 25]\n");
+  const DraftFile sweep{"sweep.csv",
+                        "Zeit;Soll 1;Soll 2;Motor 1;Motor 2;Gelenk 1;Gelenk 2;Bemerkung\n"
+                        "hh:mm:ss;°;°;°;°;°;°;\n"
+                        "14:02:11;-60,00;30,00;-60,03;30,01;-56,90;30,88;\n"
+                        "14:02:15;-55,00;27,50;-55,01;27,52;-52,11;28,42;\n"
+                        "14:02:19;-50,00;25,00;-50,00;25,01;-47,31;25,93;nachgestellt\n"
+                        "14:02:23;-45,00;22,50;-45,02;22,50;-42,50;23,41;\n"};
+  const Experiment experiment = drafted(arm, {sweep});
+  REQUIRE(experiment.runs.size() == 1);
+  CHECK(experiment.runs[0].commands_joints());
+  CHECK(std::abs(experiment.runs[0].readings[1].rest[0] + 55 * degree) < 1e-9);
+  CHECK(std::abs(experiment.runs[0].readings[1][column_q] + 52.11 * degree) < 1e-9);
+}
+
+TEST_CASE("what is written of columns is what is read") {
+  for (const ChannelChoice& choice : channel_choices()) {
+    CAPTURE(choice.word);
+    const std::string said = choice.word + (choice.numbered ? "2" : "") + "=-a::b,,c" +
+                             (choice.units.empty() ? "" : ":" + choice.units.front());
+    const std::string option = columns_option(told_columns(said));
+    CHECK(option == "--columns \"" + said + "\"");
+  }
+}
+
 TEST_CASE("what a person says of columns") {
   const std::vector<ToldColumn> told = told_columns("Fx=-Kraft:g,q_command2=5:deg,ignore=a::b,,c");
   REQUIRE(told.size() == 3);
