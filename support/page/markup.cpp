@@ -119,8 +119,10 @@ std::string filled(const std::string& text, const Json& view) {
 }
 
 std::string document(const std::string& title, const std::string& description, const std::string& body) {
-  return filled(frame_template,
-                {{"title", title}, {"description", description}, {"style", std::string(chart_style) + style_sheet}, {"body", body}});
+  return filled(frame_template, {{"title", title},
+                                 {"description", description},
+                                 {"style", std::string(chart_style) + style_sheet},
+                                 {"body", body}});
 }
 
 }  // namespace plumbline::page
