@@ -141,7 +141,7 @@ json WorkBench::described() const {
     const diagnose::Study study = diagnose::study_of(experiment);
     for (const diagnose::PageChart& one : first_charts(study))
       result["charts"].push_back({{"caption", one.caption}, {"svg", one.svg}});
-    if (!experiment.arm || experiment.arm->frames_known) require_conventions(study);
+    require_conventions(study);
   } catch (const Error& question) {
     result["question"] = in_own_names(question.what());
   }

@@ -43,9 +43,10 @@ std::vector<EffectAt> not_excited(const Study& study, const Findings& findings) 
   return result;
 }
 
-/// What the next run is to tell apart: the class that these runs leave; on request, where they leave none,
-/// the most probable two.
-std::vector<Hypothesis> to_separate(const Cause& cause, bool on_request) {
+/// What the next run is to tell apart; nothing beside a calibration, whose tolerances forecasts do not know:
+/// the class that these runs leave; on request, where they leave none, the most probable two.
+std::vector<Hypothesis> to_separate(const Study& study, const Cause& cause, bool on_request) {
+  if (study.experiment().arm_bench.calibration) return {};
   std::size_t count = cause.is_explained() && cause.named > 1 ? cause.named : on_request ? 2 : 0;
   std::vector<Hypothesis> hypotheses;
   for (std::size_t i = 0; i < std::min(count, cause.ranking.size()); ++i)
@@ -153,6 +154,7 @@ Diagnosis diagnose(const Study& study, const std::function<void(double)>& progre
                       {},
                       {}};
   if (study.experiment().arm) diagnosis.joints = study.experiment().arm->joint;
+  diagnosis.calibration = study.experiment().arm_bench.calibration;
   diagnosis.gap.present = gap;
   diagnosis.gap.probability = 1 - posterior.no_gap;
   diagnosis.gap.log_odds = posterior.log_odds_of_gap;
@@ -162,7 +164,7 @@ Diagnosis diagnose(const Study& study, const std::function<void(double)>& progre
   if (diagnosis.cause.verdict == CauseVerdict::unknown)
     diagnosis.missing = describe_missing(study, diagnosis.noise, diagnosis.where);
   const Aim aim = diagnosis.shrink && diagnosis.shrink->tested() ? Aim::discriminate : Aim::detect;
-  if (const std::vector<Hypothesis> hypotheses = to_separate(diagnosis.cause, plan && gap);
+  if (const std::vector<Hypothesis> hypotheses = to_separate(study, diagnosis.cause, plan && gap);
       hypotheses.size() > 1)
     diagnosis.proposals = next_runs(study, hypotheses, diagnosis.noise, 5, aim);
   report(1);

@@ -32,6 +32,7 @@ struct Diagnosis {
   std::optional<Missing> missing;        ///< for `unknown`: what is missing, without a catalogue
   std::vector<Proposal> proposals;       ///< for `ambiguous`, or on request: what to measure next
   std::vector<std::string> joints = {};  ///< names that the model of an arm has for them; empty without
+  std::shared_ptr<const Calibration> calibration = nullptr;  ///< beside which the causes stand, or none
 
   /// Whether the law stands in for a cause: `shrink` is then the law's.
   [[nodiscard]] bool offers_law() const {

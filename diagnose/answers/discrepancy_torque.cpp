@@ -22,7 +22,7 @@ MatrixXd responses(const Study& study, const Rig& rig) {
   MatrixXd columns(static_cast<Eigen::Index>(study.measurements().size()),
                    static_cast<Eigen::Index>(pushed.size()));
   for (std::size_t j = 0; j < pushed.size(); ++j)
-    columns.col(static_cast<Eigen::Index>(j)) = study.measurements().in_sigmas(given.sensitivity[j]);
+    columns.col(static_cast<Eigen::Index>(j)) = study.in_sigmas(given.sensitivity[j]);
   return columns;
 }
 

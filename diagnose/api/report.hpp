@@ -5,12 +5,10 @@
 #include <filesystem>
 #include <functional>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "diagnose/answers/diagnosis.hpp"
-#include "diagnose/calibration/calibration.hpp"
 #include "diagnose/exchange/corrected.hpp"
 
 namespace plumbline::diagnose {
@@ -26,16 +24,14 @@ struct Wishes {
 /// The answer to a study. An example: docs/library.md.
 class Report {
  public:
-  /// Diagnoses the study. An arm whose frames are unknown is calibrated before.
+  /// Diagnoses the study. An arm is calibrated before.
   /// \throws Error where numbers look like another unit, sign or axis, unless they are accepted; and where
   ///         the nominal model cannot follow the experiment
-  explicit Report(Study read, const Wishes& wishes = {});
+  explicit Report(const Study& read, const Wishes& wishes = {});
 
-  /// The experiment as it was diagnosed: of an arm that was calibrated, the calibrated one.
+  /// The experiment as it was diagnosed: of an arm, beside its calibration.
   [[nodiscard]] const Study& study() const { return study_; }
   [[nodiscard]] const Diagnosis& diagnosis() const { return diagnosis_; }
-  /// Nothing but of an arm whose frames are unknown.
-  [[nodiscard]] const std::optional<Calibration>& calibration() const { return calibration_; }
 
   /// The answer first, then the questions in order: gap, where, what, how far, what next.
   [[nodiscard]] std::string text() const;
@@ -43,16 +39,12 @@ class Report {
   [[nodiscard]] nlohmann::ordered_json json() const;
   /// A page, self-contained, without provenance.
   [[nodiscard]] std::string html() const;
-  /// The nominal model with what was found, for every candidate that is left; of a calibrated arm with its
-  /// calibration too, whether a cause is named or not.
+  /// The nominal model with what was found, for every candidate that is left.
   /// \param source  the file that the nominal model was read from, if any: its format keeps what it says
   /// \throws Error where the file cannot be read again
   [[nodiscard]] std::vector<exchange::Corrected> corrected(const std::filesystem::path& source = {}) const;
 
  private:
-  Report(std::optional<Calibration> calibration, const Study& read, const Wishes& wishes);
-
-  std::optional<Calibration> calibration_;
   Study study_;
   Diagnosis diagnosis_;
 };

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <plumbline/arm/arm_kinematics.hpp>
 #include <plumbline/loaded/control.hpp>
@@ -17,6 +18,8 @@
 #include "diagnose/bench/nominal_chain.hpp"
 
 namespace plumbline::diagnose {
+
+struct Calibration;  // inference/calibration.hpp
 
 /// Largest number of covariates of an experiment.
 inline constexpr std::size_t most_covariates = 8;
@@ -195,8 +198,13 @@ struct MeasuredPoint {
 
 /// The bench of an arm in space.
 struct ArmBench {
+  /// Where the tracker stands, and where the points sit on their links: as declared, or anywhere.
+  enum class Frames { known, unknown };
+
   std::vector<MeasuredPoint> points;
   OnLink<double> load{0};  ///< where the wrench acts
+  Frames frames = Frames::known;
+  std::shared_ptr<const Calibration> calibration = nullptr;  ///< of the nominal arm, or none
 };
 
 /// The nominal model, the bench and the runs.

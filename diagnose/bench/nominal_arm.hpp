@@ -15,7 +15,6 @@ struct NominalArm {
   std::string base, tip;                        ///< names of the links or frames at its ends
   std::vector<std::string> joint, link;         ///< names
   std::vector<std::array<double, 2>> limits{};  ///< of joint coordinates, rad or m; infinite without
-  bool frames_known = true;                     ///< where the tracker stands, and its points on the arm
 };
 
 /// The pose of a frame of the arm that no joint or link yields: by it orientations are told.

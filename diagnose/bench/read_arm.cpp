@@ -101,7 +101,6 @@ NominalArm read_nominal_arm(const Section& section, const ReadArm& read) {
   }
   read_stiffness(section, nominal);
   nominal.arm.gravity = vector_or(section, "gravity", nominal.arm.gravity);
-  if (section.has("frames")) nominal.frames_known = section.one_of("frames", {"known", "unknown"}) == "known";
   if (section.has("base_xyz") || section.has("base_rpy"))
     nominal.arm.base = pose(section, "base_xyz", "base_rpy");
   return nominal;
@@ -146,6 +145,8 @@ ReadArmBench read_arm(const Section& section, const ReadArm& read) {
   result.bench.points = read_points(section, nominal);
   result.bench.load = section.has("load") ? on_body(section.table("load"), nominal)
                                           : OnLink<double>{nominal.arm.size() - 1, nominal.arm.tip};
+  if (section.has("frames") && section.one_of("frames", {"known", "unknown"}) == "unknown")
+    result.bench.frames = ArmBench::Frames::unknown;
   if (section.has("encoder")) result.motor_side = section.one_of("encoder", {"link", "motor"}) == "motor";
   return result;
 }

@@ -1,161 +1,117 @@
 #include "diagnose/calibration/calibration.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cmath>
+#include <plumbline/base/error.hpp>
 
 #include "diagnose/calibration/columns.hpp"
-#include "diagnose/calibration/grouped_regression.hpp"
 #include "diagnose/calibration/registration.hpp"
 #include "diagnose/calibration/unseen.hpp"
 #include "diagnose/inference/least_squares.hpp"
-#include "diagnose/inference/study.hpp"
 
 namespace plumbline::diagnose {
 namespace {
 
-/// The posterior means of the coefficients of a group.
-Eigen::VectorXd mean_of(const GroupedFit& fit, const std::vector<ColumnGroup>& groups, std::size_t place) {
-  Eigen::Index first = 0;
-  for (std::size_t g = 0; g < place; ++g) first += groups[fit.groups[g]].count;
-  return fit.mean.segment(first, groups[fit.groups[place]].count);
-}
-
 class Calibrator {
  public:
-  explicit Calibrator(const Study& study)
-      : experiment_(study.experiment()), stated_(study.experiment().stated) {}
+  explicit Calibrator(const Study& study) : read_(study), experiment_(study.experiment()) {}
 
-  std::optional<Calibration> result() {
+  Study result() {
+    require_reached();
     tracker_ = register_frames(experiment_);
     constexpr int rounds = 3;
     for (int round = 0; round < rounds; ++round) {
-      const Study study = present();
-      lay_columns(study, round > 0);
-      if (!can_be_fitted()) return std::nullopt;
-      const GroupedRegression regression(frame_columns_, all_columns(), groups_, values_);
-      fit_ = regression.extended(always_, round > 0 ? offered_ : std::vector<std::size_t>{});
-      move();
+      fit_at(everything(), round > 0);
+      const VectorXd step = LeastSquares(frames_).solve(VectorXd(values_ - effects_.columns * fit_.mean));
+      tracker_ = tracker_ * move_frames(experiment_, step);
     }
-    const Study study = present();
-    lay_columns(study, true);
-    if (!can_be_fitted()) return std::nullopt;
-    return collected(study);
+    fit_at(everything(), true);
+    return collected();
   }
 
  private:
-  /// The study of the arm as it is calibrated so far.
-  [[nodiscard]] Study present() const {
+  void require_reached() const {
+    if (!read_.nominal().reached)
+      throw Error("experiment \"" + read_.experiment().name + "\"",
+                  "loads under which the nominal arm does not hold its poses",
+                  "joints and links that are stiffer than their loads");
+  }
+
+  /// The arm with means of tolerances, or of these and what sticks out of them.
+  [[nodiscard]] Study with(const std::vector<Tolerance>& means) const {
     Experiment now = experiment_;
-    now.effects.insert(now.effects.end(), random_.begin(), random_.end());
-    return Study(std::move(now), stated_);
+    for (const Tolerance& one : means)
+      if (std::any_of(one.mean.begin(), one.mean.end(), [](double mean) { return mean != 0; }))
+        now.effects.push_back(nominal_effect(read_, one));
+    return read_.of(std::move(now));
   }
 
-  void lay_columns(const Study& study, bool causes) {
-    frame_columns_ = columns_of_frames(study);
-    random_columns_ = random_columns(study);
-    groups_.clear(), always_.clear(), offered_.clear();
-    for (const ColumnGroup& one : random_columns_.groups) {
-      always_.push_back(groups_.size());
-      groups_.push_back(one);
-    }
-    cause_columns_ = causes ? columns_of_causes(study) : EffectColumns{};
-    const Eigen::Index behind = random_columns_.columns.cols();
-    for (const ColumnGroup& one : cause_columns_.groups) {
-      offered_.push_back(groups_.size());
-      groups_.push_back({behind + one.first, one.count});
-    }
-    if (random_mean_.size() == 0) random_mean_.setZero(behind);
-    values_ = study.nominal_residual();
-    if (random_mean_.size() == behind) values_ += random_columns_.columns * random_mean_;
-  }
-
-  /// Whether there are more readings than frames need, and an arm that holds its poses.
-  [[nodiscard]] bool can_be_fitted() const {
-    return values_.size() > frame_columns_.cols() + 3 && values_.allFinite() && frame_columns_.allFinite() &&
-           random_mean_.size() > 0 && random_mean_.size() == random_columns_.columns.cols() &&
-           random_columns_.columns.allFinite();
-  }
-
-  [[nodiscard]] Eigen::MatrixXd all_columns() const {
-    Eigen::MatrixXd all(values_.size(), random_columns_.columns.cols() + cause_columns_.columns.cols());
-    all.leftCols(random_columns_.columns.cols()) = random_columns_.columns;
-    if (cause_columns_.columns.cols() > 0)
-      all.rightCols(cause_columns_.columns.cols()) = cause_columns_.columns;
+  [[nodiscard]] std::vector<Tolerance> everything() const {
+    std::vector<Tolerance> all = tolerances_;
+    all.insert(all.end(), beside_.begin(), beside_.end());
     return all;
   }
 
-  /// Coefficients of all columns, zero of those that are not in the fit.
-  [[nodiscard]] Eigen::VectorXd coefficients() const {
-    Eigen::VectorXd all =
-        Eigen::VectorXd::Zero(random_columns_.columns.cols() + cause_columns_.columns.cols());
-    for (std::size_t g = 0; g < fit_.groups.size(); ++g)
-      all.segment(groups_[fit_.groups[g]].first, groups_[fit_.groups[g]].count) = mean_of(fit_, groups_, g);
-    return all;
+  /// Fits to first order about means, and takes over what is found.
+  void fit_at(const std::vector<Tolerance>& means, bool causes) {
+    const Study study = with(means);
+    frames_ = frame_columns(study);
+    effects_ = effect_columns(study);
+    values_ =
+        study.measurements().residual(study.nominal()) + effects_.columns * effects_.coefficients(means);
+    require_enough();
+    const GroupedRegression regression(frames_, effects_.columns, effects_.groups, values_);
+    fit_ = causes ? regression.extended(effects_.always(), effects_.offered())
+                  : regression.fit(effects_.always());
+    tolerances_.clear(), beside_.clear();
+    for (std::size_t g = 0; g < fit_.groups.size(); ++g) {
+      std::vector<Tolerance>& to = fit_.groups[g] < effects_.everywhere ? tolerances_ : beside_;
+      for (Tolerance& one : effects_.effects(fit_, g)) to.push_back(std::move(one));
+    }
   }
 
-  /// Takes over the posterior mean: the random effects into the arm, the frames into the readings.
-  void move() {
-    const Eigen::VectorXd found = coefficients();
-    random_mean_ = random_columns_.clamped(found.head(random_columns_.columns.cols()));
-    random_ = random_columns_.at(random_mean_);
-    const Eigen::VectorXd step =
-        LeastSquares(frame_columns_).solve(Eigen::VectorXd(values_ - all_columns() * found));
-    tracker_ = tracker_ * move_frames(experiment_, step);
+  void require_enough() const {
+    constexpr Eigen::Index beside_frames = 3;
+    if (values_.size() <= frames_.cols() + beside_frames)
+      throw Error("experiment \"" + experiment_.name + "\"",
+                  fmt::format("{} measured values of places and orientations", values_.size()),
+                  fmt::format("more than {}, or arm.frames = \"known\"", frames_.cols() + beside_frames));
+    if (!values_.allFinite() || effects_.everywhere == 0)
+      throw Error("experiment \"" + experiment_.name + "\"", "poses that the calibrated arm does not hold",
+                  "joints and links that are stiffer than their loads, or arm.frames = \"known\"");
   }
 
-  [[nodiscard]] std::vector<SolvedFrame> solved_frames() const {
-    return solved(experiment_, tracker_, frame_columns_, random_columns_.columns, sizes_by_column(),
-                  fit_.noise);
-  }
-
-  [[nodiscard]] Eigen::VectorXd sizes_by_column() const {
-    Eigen::VectorXd size(random_columns_.columns.cols());
-    for (std::size_t g = 0; g < random_columns_.groups.size(); ++g)
-      size.segment(random_columns_.groups[g].first, random_columns_.groups[g].count)
-          .setConstant(fit_.size[g]);
-    return size;
-  }
-
-  Calibration collected(const Study& study) {
-    const GroupedRegression regression(frame_columns_, all_columns(), groups_, values_);
-    fit_ = regression.extended(always_, offered_);
+  Study collected() {
     Calibration all;
-    all.experiment = study.experiment();
     all.noise = fit_.noise;
-    all.frames = solved_frames();
-    for (std::size_t g = 0; g < random_columns_.groups.size(); ++g)
-      all.sizes.push_back(random_columns_.size_of(g, fit_.size[g]));
-    for (std::size_t g = random_columns_.groups.size(); g < fit_.groups.size(); ++g)
-      all.beside.push_back(
-          cause_columns_.effect(fit_.groups[g] - random_columns_.groups.size(), mean_of(fit_, groups_, g)));
-    const Eigen::MatrixXd columns = all_columns();
-    const UnseenTest test{study, frame_columns_, columns, groups_, always_, offered_, values_};
+    all.frames = solved(read_.experiment().arm_bench, experiment_, tracker_, frames_, effects_.columns, fit_);
+    all.tolerances = tolerances_;
+    for (std::size_t g = 0; g < effects_.everywhere; ++g)
+      if (constexpr double told = 0.5; fit_.determined[g] > told)
+        all.sizes.push_back(effects_.size_of(fit_.groups[g], fit_.size[g]));
+    for (const Tolerance& one : beside_) all.beside.push_back(nominal_effect(read_, one));
+    const UnseenTest test{read_.measurements(), frames_, effects_, values_};
     all.nominal = test.nominal(), all.least_squares = test.least_squares(), all.corrected = test.corrected();
-    return all;
+    Experiment calibrated = with(tolerances_).experiment();
+    calibrated.arm_bench.calibration = std::make_shared<const Calibration>(std::move(all));
+    return read_.of(std::move(calibrated));
   }
 
-  Experiment experiment_;
-  std::shared_ptr<const std::vector<Effect>> stated_;
+  const Study& read_;
+  Experiment experiment_;  ///< with its readings told in the arm's world
   Pose<double> tracker_ = Pose<double>::Identity();
-  std::vector<NominalEffect> random_;
-  Eigen::VectorXd random_mean_;
-  Eigen::MatrixXd frame_columns_;
-  EffectColumns random_columns_, cause_columns_;
-  std::vector<ColumnGroup> groups_;
-  std::vector<std::size_t> always_, offered_;
-  Eigen::VectorXd values_;
+  MatrixXd frames_;
+  EffectColumns effects_;
+  VectorXd values_;  ///< what the arm leaves without any of the effects, to first order
   GroupedFit fit_;
+  std::vector<Tolerance> tolerances_, beside_;
 };
 
 }  // namespace
 
-Experiment Calibration::with_all() const {
-  Experiment all = experiment;
-  all.effects.insert(all.effects.end(), beside.begin(), beside.end());
-  return all;
-}
-
-std::optional<Calibration> calibrated(const Study& study) {
+Study calibrated(const Study& study) {
+  if (study.experiment().arm_bench.frames == ArmBench::Frames::known) return study;
   return Calibrator(study).result();
 }
 

@@ -1,52 +1,15 @@
 #pragma once
 /// \file
-/// An arm as it is: its frames registered, and every joint a little off.
-
-#include <optional>
+/// An arm as it is: its frames solved for, and every joint a little off.
 
 #include "diagnose/inference/study.hpp"
 
 namespace plumbline::diagnose {
 
-/// How large one kind of error is over all joints.
-struct LearnedSize {
-  EffectAt effect;  ///< at the last joint that has it
-  double size;      ///< standard deviation, in the unit of its parameters
-  std::string_view unit;
-};
-
-/// A frame that was solved for, beside that of the experiment.
-struct SolvedFrame {
-  std::string name;       ///< "tracker", or a point's
-  Pose<double> at;        ///< of the arm's world in the tracker's frame; of the point on its link
-  Vector3<double> shift;  ///< standard deviations of its place, m
-  Vector3<double> turn;   ///< and of its orientation, rad; zero where nothing shows it
-};
-
-/// Root mean squares of what is left of readings that a fit has not seen.
-struct LeftOfPoses {
-  double place = 0;  ///< distance, m; zero where no places are read
-  double turn = 0;   ///< rad; zero where no orientations are read
-};
-
-/// The model of every arm: frames of which nothing is known, and zero, shift, tilt, gear and compliance of
-/// every joint as random effects whose sizes are learned.
-struct Calibration {
-  /// Registered; the random effects are among its nominal ones, at their posterior mean.
-  Experiment experiment;
-  std::vector<SolvedFrame> frames;
-  std::vector<LearnedSize> sizes;
-  /// What sticks out of them, by a linear fit: posterior means, the first sticks out farthest.
-  std::vector<NominalEffect> beside;
-  /// The experiment with these among its nominal effects too.
-  [[nodiscard]] Experiment with_all() const;
-  double noise = 1;  ///< standard deviation over the declared one
-  /// What the nominal arm in its best frames, least squares over all geometry, and the posterior mean leave.
-  LeftOfPoses nominal, least_squares, corrected;
-};
-
-/// \param study  of the experiment as it was read, in whatever frames
-/// \returns nothing where the readings are too few, or the arm does not hold its poses
-std::optional<Calibration> calibrated(const Study& study);
+/// The study of an arm whose frames are unknown, with its calibration: tracker and points where they fit
+/// best, joints at the posterior mean of what every arm is a little off by, as large as the readings say.
+/// \returns the study as it is where frames are known
+/// \throws Error where there are fewer values than unknowns, or the arm does not hold its poses
+Study calibrated(const Study& study);
 
 }  // namespace plumbline::diagnose

@@ -2,52 +2,13 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <numeric>
 
 #include "diagnose/calibration/registration.hpp"
-#include "diagnose/inference/least_squares.hpp"
-#include "diagnose/inference/start.hpp"
 
 namespace plumbline::diagnose {
 namespace {
-
-constexpr double frame_step = 1e-6;  // m and rad
-
-/// Whether a little of an effect is at every joint of every arm: zeros, axes, gears and springs that are not
-/// quite those of the drawing.
-bool is_everywhere(const Effect& effect) {
-  constexpr std::array ids{"rest_angle",  "axis_tilt",       "axis_shift",
-                           "joint_scale", "joint_stiffness", "joint_compliance"};
-  return std::find(ids.begin(), ids.end(), effect.id) != ids.end();
-}
-
-NominalEffect effect_of(const EffectAt& at) {
-  return {std::string(at.effect->id), at.joint, {}};
-}
-
-/// Adds an effect's columns, each times the typical size of its parameter.
-void append(EffectColumns& to, const Study& study, const EffectAt& at, const std::vector<VectorXd>& slopes) {
-  const std::vector<ParameterRange> ranges = study.ranges(at);
-  Eigen::Index next = to.columns.cols();
-  to.columns.conservativeResize(static_cast<Eigen::Index>(study.measurements().size()),
-                                next + static_cast<Eigen::Index>(ranges.size()));
-  for (std::size_t p = 0; p < ranges.size(); ++p) {
-    to.columns.col(next++) = ranges[p].scale * slopes[p];
-    to.parameters.push_back({at, ranges[p]});
-  }
-}
-
-/// Derivatives of the readings by the parameters of a candidate at nothing.
-std::vector<VectorXd> slopes_at_nothing(const Study& study, const Candidate& candidate) {
-  const Prediction here =
-      predict(study, candidate, std::vector<double>(study.ranges(candidate).size(), 0), true);
-  std::vector<VectorXd> slopes;
-  if (!here.reached) return slopes;
-  for (const std::vector<Trace>& one : here.sensitivity)
-    slopes.push_back(study.measurements().in_sigmas(one));
-  return slopes;
-}
 
 /// Whether an effect is nothing at zero, so that a small amount of it shows what a larger one does.
 bool grows_from_nothing(const Study& study, const EffectAt& at) {
@@ -57,55 +18,73 @@ bool grows_from_nothing(const Study& study, const EffectAt& at) {
                      [](const ParameterRange& one) { return one.may_be_nothing() && one.tolerance == 0; });
 }
 
-/// A rig whose tracker and points are moved.
-Rig with_frames_moved(Rig rig, Eigen::Index unknown, double step) {
-  const Vector3<double> along = step * Vector3<double>::Unit(unknown % 3);
-  const Eigen::Index frame = unknown / 6;
-  const bool turns = unknown % 6 >= 3;
-  if (frame == 0) {
-    if (turns)
-      rig.place_turn -= along;
+/// The effects that grow from nothing, those that are everywhere first, each kind of them together.
+Candidate growing_effects(const Study& study) {
+  Candidate all;
+  for (const EffectAt& at : possible_effects(study))
+    if (grows_from_nothing(study, at)) all.effects.push_back(at);
+  std::stable_partition(all.effects.begin(), all.effects.end(),
+                        [](const EffectAt& at) { return !at.effect->everywhere.empty(); });
+  return all;
+}
+
+std::vector<std::size_t> numbers(std::size_t from, std::size_t to) {
+  std::vector<std::size_t> all(to - from);
+  std::iota(all.begin(), all.end(), from);
+  return all;
+}
+
+/// The groups of effects that are everywhere, before those of single effects.
+void group_everywhere(EffectColumns& all) {
+  std::vector<ColumnGroup> everywhere;
+  const Effect* last = nullptr;
+  for (const ColumnGroup& one : all.groups) {
+    const Effect* const effect = all.parameters[static_cast<std::size_t>(one.first)].at.effect;
+    if (effect->everywhere.empty()) break;
+    if (effect == last)
+      everywhere.back().count += one.count;
     else
-      rig.position_offset += along;
-  } else {
-    Pose<double>& point = rig.arm->points[static_cast<std::size_t>(frame - 1)].frame;
-    if (turns)
-      point.linear() *= rotation_by<double>(along);
-    else
-      point.translation() += along;
+      everywhere.push_back(one);
+    last = effect;
   }
-  return rig;
+  all.everywhere = everywhere.size();
+  all.groups.insert(all.groups.begin(), everywhere.begin(), everywhere.end());
 }
 
 }  // namespace
 
-VectorXd EffectColumns::clamped(VectorXd coefficients) const {
-  for (std::size_t p = 0; p < parameters.size(); ++p) {
-    const ParameterRange& range = parameters[p].range;
-    double& one = coefficients(static_cast<Eigen::Index>(p));
-    one = std::clamp(one * range.scale, range.low, range.high) / range.scale;
-  }
-  return coefficients;
+std::vector<std::size_t> EffectColumns::always() const {
+  return numbers(0, everywhere);
 }
 
-std::vector<NominalEffect> EffectColumns::at(const VectorXd& coefficients) const {
-  std::vector<NominalEffect> all;
-  for (std::size_t p = 0; p < parameters.size(); ++p) {
-    const auto& [at, range] = parameters[p];
-    if (p == 0 || !(parameters[p - 1].at == at)) all.push_back(effect_of(at));
-    all.back().parameters[std::string(range.name)] =
-        catalogue_value(range.coordinate, coefficients(static_cast<Eigen::Index>(p)) * range.scale);
+std::vector<std::size_t> EffectColumns::offered() const {
+  return numbers(everywhere, groups.size());
+}
+
+std::vector<Tolerance> EffectColumns::effects(const GroupedFit& fit, std::size_t group) const {
+  std::vector<Tolerance> all;
+  for (Eigen::Index c = groups[fit.groups[group]].first, end = c + groups[fit.groups[group]].count; c < end;
+       ++c) {
+    const auto& [at, range] = parameters[static_cast<std::size_t>(c)];
+    if (all.empty() || !(all.back().at == at)) all.push_back({at, {}, {}});
+    const auto place = std::find(fit.columns.begin(), fit.columns.end(), c) - fit.columns.begin();
+    const bool own = fit.owner[static_cast<std::size_t>(place)] == group;
+    all.back().mean.push_back(own ? std::clamp(fit.mean(c) * range.scale, range.low, range.high) : 0);
+    all.back().deviation.push_back(fit.size[group] * range.scale);
   }
   return all;
 }
 
-NominalEffect EffectColumns::effect(std::size_t group, const Eigen::VectorXd& coefficients) const {
-  Eigen::VectorXd all = Eigen::VectorXd::Zero(columns.cols());
-  all.segment(groups[group].first, groups[group].count) = coefficients;
-  std::size_t place = 0;
-  for (Eigen::Index p = 1; p <= groups[group].first; ++p)
-    place += !(parameters[static_cast<std::size_t>(p)].at == parameters[static_cast<std::size_t>(p - 1)].at);
-  return at(clamped(all))[place];
+VectorXd EffectColumns::coefficients(const std::vector<Tolerance>& means) const {
+  VectorXd all = VectorXd::Zero(columns.cols());
+  std::size_t of_effect = 0;
+  for (std::size_t p = 0; p < parameters.size(); ++p) {
+    const auto& [at, range] = parameters[p];
+    of_effect = p > 0 && parameters[p - 1].at == at ? of_effect + 1 : 0;
+    for (const Tolerance& one : means)
+      if (one.at == at) all(static_cast<Eigen::Index>(p)) += one.mean[of_effect] / range.scale;
+  }
+  return all;
 }
 
 LearnedSize EffectColumns::size_of(std::size_t group, double size) const {
@@ -114,51 +93,32 @@ LearnedSize EffectColumns::size_of(std::size_t group, double size) const {
   return {last.at, size * last.range.scale, last.range.unit};
 }
 
-EffectColumns random_columns(const Study& study) {
-  Candidate everywhere;
-  for (const EffectAt& at : possible_effects(study))
-    if (is_everywhere(*at.effect)) everywhere.effects.push_back(at);
-  const std::vector<VectorXd> slopes = slopes_at_nothing(study, everywhere);
+EffectColumns effect_columns(const Study& study) {
+  const Candidate growing = growing_effects(study);
+  const Prediction here = predict(study, growing, std::vector<double>(study.ranges(growing).size(), 0), true);
   EffectColumns all;
-  all.columns.resize(static_cast<Eigen::Index>(study.measurements().size()), 0);
-  auto next = slopes.begin();
-  const Effect* last = nullptr;
-  for (const EffectAt& at : everywhere.effects) {
-    if (next == slopes.end()) break;
-    const auto count = static_cast<std::ptrdiff_t>(study.ranges(at).size());
-    if (at.effect != last) all.groups.push_back({all.columns.cols(), 0});
-    append(all, study, at, {next, next + count});
-    all.groups.back().count += count;
-    last = at.effect, next += count;
-  }
-  return all;
-}
-
-EffectColumns columns_of_causes(const Study& study) {
-  EffectColumns all;
-  all.columns.resize(static_cast<Eigen::Index>(study.measurements().size()), 0);
-  for (const EffectAt& at : possible_effects(study)) {
-    if (!grows_from_nothing(study, at)) continue;
-    const std::vector<VectorXd> slopes = slopes_at_nothing(study, {{at}});
-    if (slopes.empty() ||
-        std::any_of(slopes.begin(), slopes.end(), [](const VectorXd& one) { return !one.allFinite(); }))
+  std::vector<VectorXd> columns;
+  std::size_t next = 0;
+  for (const EffectAt& at : growing.effects) {
+    const std::vector<ParameterRange> ranges = study.ranges(at);
+    std::vector<VectorXd> slopes;
+    for (std::size_t p = 0; p < ranges.size() && here.reached; ++p)
+      slopes.push_back(ranges[p].scale * study.measurements().in_sigmas(here.sensitivity[next + p]));
+    next += ranges.size();
+    const auto finite = [](const VectorXd& one) { return one.allFinite(); };
+    const auto shows = [](const VectorXd& one) { return !one.isZero(0); };
+    if (!std::all_of(slopes.begin(), slopes.end(), finite) ||
+        std::none_of(slopes.begin(), slopes.end(), shows))
       continue;
-    all.groups.push_back({all.columns.cols(), static_cast<Eigen::Index>(slopes.size())});
-    append(all, study, at, slopes);
+    all.groups.push_back(
+        {static_cast<Eigen::Index>(columns.size()), static_cast<Eigen::Index>(slopes.size())});
+    columns.insert(columns.end(), slopes.begin(), slopes.end());
+    for (const ParameterRange& range : ranges) all.parameters.push_back({at, range});
   }
-  return all;
-}
-
-MatrixXd columns_of_frames(const Study& study) {
-  const std::size_t unknowns = 6 + 6 * study.experiment().arm_bench.points.size();
-  std::vector<RigVariation> variations;
-  for (std::size_t i = 0; i < unknowns; ++i)
-    variations.push_back(
-        {with_frames_moved(study.nominal_rig(), static_cast<Eigen::Index>(i), frame_step), frame_step});
-  const Prediction here = simulate(study.experiment(), study.nominal_rig(), variations);
-  MatrixXd all(static_cast<Eigen::Index>(study.measurements().size()), static_cast<Eigen::Index>(unknowns));
-  for (std::size_t i = 0; i < unknowns; ++i)
-    all.col(static_cast<Eigen::Index>(i)) = study.measurements().in_sigmas(here.sensitivity[i]);
+  all.columns.resize(static_cast<Eigen::Index>(study.measurements().size()),
+                     static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t c = 0; c < columns.size(); ++c) all.columns.col(static_cast<Eigen::Index>(c)) = columns[c];
+  group_everywhere(all);
   return all;
 }
 
@@ -181,13 +141,16 @@ Pose<double> move_frames(Experiment& experiment, const VectorXd& coefficients) {
   return moved;
 }
 
-std::vector<SolvedFrame> solved(const Experiment& experiment, const Pose<double>& tracker,
-                                const MatrixXd& frames, const MatrixXd& random, const VectorXd& size,
-                                double noise) {
-  MatrixXd columns(frames.rows(), frames.cols() + random.cols());
-  columns << frames, random * size.asDiagonal();
-  MatrixXd precision = columns.transpose() * columns / (noise * noise);
-  precision.diagonal().tail(random.cols()).array() += 1;
+std::vector<SolvedFrame> solved(const ArmBench& declared, const Experiment& experiment,
+                                const Pose<double>& tracker, const MatrixXd& frames, const MatrixXd& effects,
+                                const GroupedFit& fit) {
+  MatrixXd columns(frames.rows(), frames.cols() + static_cast<Eigen::Index>(fit.columns.size()));
+  columns.leftCols(frames.cols()) = frames;
+  for (std::size_t c = 0; c < fit.columns.size(); ++c)
+    columns.col(frames.cols() + static_cast<Eigen::Index>(c)) =
+        fit.size[fit.owner[c]] * effects.col(fit.columns[c]);
+  MatrixXd precision = columns.transpose() * columns / (fit.noise * fit.noise);
+  precision.diagonal().tail(columns.cols() - frames.cols()).array() += 1;
   constexpr double unknown = 1e-12;  // against what nothing shows
   precision.diagonal().array() += unknown * precision.diagonal().maxCoeff();
   const VectorXd variance =
@@ -197,6 +160,7 @@ std::vector<SolvedFrame> solved(const Experiment& experiment, const Pose<double>
     const auto first = static_cast<Eigen::Index>(6 * f);
     SolvedFrame one{f == 0 ? "tracker" : experiment.arm_bench.points[f - 1].name,
                     f == 0 ? tracker : experiment.arm_bench.points[f - 1].at.frame,
+                    f == 0 ? Pose<double>::Identity() : declared.points[f - 1].at.frame,
                     variance.segment<3>(first).cwiseSqrt(), variance.segment<3>(first + 3).cwiseSqrt()};
     for (Eigen::Index axis = 0; axis < 3; ++axis)
       if (frames.col(first + 3 + axis).isZero(0)) one.turn(axis) = 0;

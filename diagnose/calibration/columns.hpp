@@ -1,9 +1,10 @@
 #pragma once
 /// \file
-/// Derivatives of all readings by frames and effects, in declared sigmas.
+/// Derivatives of all readings by effects, in declared sigmas, and motions of frames.
 
-#include "diagnose/calibration/calibration.hpp"
 #include "diagnose/calibration/grouped_regression.hpp"
+#include "diagnose/inference/calibration.hpp"
+#include "diagnose/inference/study.hpp"
 
 namespace plumbline::diagnose {
 
@@ -13,36 +14,33 @@ struct EffectColumns {
     EffectAt at;
     ParameterRange range;
   };
-  Eigen::MatrixXd columns;
+  MatrixXd columns;
   std::vector<Parameter> parameters;  ///< by column
-  std::vector<ColumnGroup> groups;    ///< of one effect at all joints, or of a single cause
+  /// First an effect that is everywhere at all its joints, then each effect at its place alone.
+  std::vector<ColumnGroup> groups;
+  std::size_t everywhere = 0;  ///< so many groups are of the first kind
 
-  /// Coefficients of all columns, within the bounds of their parameters.
-  [[nodiscard]] Eigen::VectorXd clamped(Eigen::VectorXd coefficients) const;
-  /// The effects at coefficients of all columns.
-  [[nodiscard]] std::vector<NominalEffect> at(const Eigen::VectorXd& coefficients) const;
-  /// That of a group, which is one effect, at the coefficients of the group.
-  [[nodiscard]] NominalEffect effect(std::size_t group, const Eigen::VectorXd& coefficients) const;
+  [[nodiscard]] std::vector<std::size_t> always() const;
+  [[nodiscard]] std::vector<std::size_t> offered() const;
+  /// By effect: its coefficients, within the bounds of its parameters, and their sizes by group, both times
+  /// the typical sizes.
+  [[nodiscard]] std::vector<Tolerance> effects(const GroupedFit& fit, std::size_t group) const;
+  /// Coefficients of all columns that have these means.
+  [[nodiscard]] VectorXd coefficients(const std::vector<Tolerance>& means) const;
   [[nodiscard]] LearnedSize size_of(std::size_t group, double size) const;
 };
 
-/// Every effect that is a little there at every joint; a group an effect.
-EffectColumns random_columns(const Study& study);
+/// Those that are a little there at every joint, and those that may be causes, as far as a small amount of
+/// them shows.
+EffectColumns effect_columns(const Study& study);
 
-/// Every effect that may be a cause, as far as a small amount of it shows; one whose small amounts act
-/// otherwise than large ones by the first guess of it. A group an effect at its place.
-EffectColumns columns_of_causes(const Study& study);
+/// Moves the frames by coefficients of the frame columns. \returns the tracker's motion
+Pose<double> move_frames(Experiment& experiment, const VectorXd& coefficients);
 
-/// Shift and turn of the tracker, then of each point on its link.
-Eigen::MatrixXd columns_of_frames(const Study& study);
-
-/// Moves the frames by coefficients of these columns. \returns the tracker's motion
-Pose<double> move_frames(Experiment& experiment, const Eigen::VectorXd& coefficients);
-
-/// The frames as they are, with their standard deviations beside random effects.
-/// \param size  of the random effects, by column
-std::vector<SolvedFrame> solved(const Experiment& experiment, const Pose<double>& tracker,
-                                const Eigen::MatrixXd& frames, const Eigen::MatrixXd& random,
-                                const Eigen::VectorXd& size, double noise);
+/// The frames as they are, with their standard deviations beside the effects of a fit.
+/// \param declared  as they were before
+std::vector<SolvedFrame> solved(const ArmBench& declared, const Experiment& experiment,
+                                const Pose<double>& tracker, const MatrixXd& frames, const MatrixXd& effects,
+                                const GroupedFit& fit);
 
 }  // namespace plumbline::diagnose

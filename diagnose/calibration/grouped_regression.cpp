@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <numbers>
 
 #include "diagnose/inference/hyperpriors.hpp"
@@ -32,84 +33,88 @@ GroupedRegression::GroupedRegression(const Eigen::MatrixXd& unknown, const Eigen
   count_ = static_cast<double>(values.size() - span.cols());
 }
 
-std::vector<Eigen::Index> GroupedRegression::columns_of(const std::vector<std::size_t>& groups) const {
-  std::vector<Eigen::Index> columns;
-  for (const std::size_t g : groups)
-    for (Eigen::Index c = 0; c < groups_[g].count; ++c) columns.push_back(groups_[g].first + c);
-  return columns;
+void GroupedRegression::take_columns(GroupedFit& fit) const {
+  std::map<Eigen::Index, std::size_t> owner;
+  for (std::size_t g = 0; g < fit.groups.size(); ++g) {
+    const ColumnGroup& group = groups_[fit.groups[g]];
+    for (Eigen::Index c = 0; c < group.count; ++c) owner[group.first + c] = g;
+  }
+  fit.columns.clear(), fit.owner.clear();
+  for (const auto& [column, g] : owner) fit.columns.push_back(column), fit.owner.push_back(g);
 }
 
 GroupedFit GroupedRegression::fit(const std::vector<std::size_t>& groups) const {
   constexpr int enough = 60;
-  return iterated({groups, std::vector<double>(groups.size(), 1), std::sqrt(squares_ / count_), {}, {}, 0},
-                  enough);
+  GroupedFit start;
+  start.groups = groups, start.size.assign(groups.size(), 1), start.noise = std::sqrt(squares_ / count_);
+  return iterated(std::move(start), enough);
 }
 
 GroupedFit GroupedRegression::tied(const std::vector<std::size_t>& groups, double size) const {
-  return iterated({groups, std::vector<double>(groups.size(), size), 1, {}, {}, 0}, 0);
+  GroupedFit start;
+  start.groups = groups, start.size.assign(groups.size(), size);
+  return iterated(std::move(start), 0);
 }
 
 GroupedFit GroupedRegression::iterated(GroupedFit fit, int iterations) const {
-  const std::vector<Eigen::Index> columns = columns_of(fit.groups);
-  const Eigen::MatrixXd gram = gram_(columns, columns);
-  const Eigen::VectorXd product = product_(columns);
-  Eigen::VectorXd size(gram.rows());
+  take_columns(fit);
+  const Eigen::MatrixXd gram = gram_(fit.columns, fit.columns);
+  const Eigen::VectorXd product = product_(fit.columns);
+  const auto columns = gram.rows();
+  Eigen::VectorXd size(columns), mean;
   double variance = std::max(1e-300, fit.noise * fit.noise), log_determinant = 0, left = 0;
-  std::vector<double> determined(fit.groups.size(), 0);
+  fit.determined.assign(fit.groups.size(), 0);
   for (int i = 0; i <= iterations; ++i) {
-    Eigen::Index next = 0;
-    for (std::size_t g = 0; g < fit.groups.size(); ++g) {
-      const Eigen::Index count = groups_[fit.groups[g]].count;
-      size.segment(next, count).setConstant(fit.size[g]);
-      next += count;
-    }
+    for (Eigen::Index c = 0; c < columns; ++c) size(c) = fit.size[fit.owner[static_cast<std::size_t>(c)]];
     // Coefficients in units of their sizes, which may be small.
     Eigen::MatrixXd precision = size.asDiagonal() * gram * size.asDiagonal() / variance;
     precision.diagonal().array() += 1;
     const Eigen::LLT<Eigen::MatrixXd> factor(precision);
-    const Eigen::MatrixXd inverse =
-        factor.solve(Eigen::MatrixXd::Identity(precision.rows(), precision.cols()));
-    fit.mean = size.cwiseProduct(inverse * size.cwiseProduct(product)) / variance;
+    const Eigen::MatrixXd inverse = factor.solve(Eigen::MatrixXd::Identity(columns, columns));
+    mean = size.cwiseProduct(inverse * size.cwiseProduct(product)) / variance;
     fit.covariance = size.asDiagonal() * inverse * size.asDiagonal();
     log_determinant = 2 * factor.matrixLLT().diagonal().array().log().sum();
-    left = squares_ - product.dot(fit.mean);  // of the values, and of the prior
+    left = squares_ - product.dot(mean);  // of the values, and of the prior
+    std::vector<double> square(fit.groups.size(), 0);
+    fit.determined.assign(fit.groups.size(), 0);
+    for (Eigen::Index c = 0; c < columns; ++c) {
+      const std::size_t g = fit.owner[static_cast<std::size_t>(c)];
+      square[g] += mean(c) * mean(c), fit.determined[g] += 1 - inverse(c, c);
+    }
     if (i == iterations) break;
     double all_determined = 0, prior = 0;
-    next = 0;
     for (std::size_t g = 0; g < fit.groups.size(); ++g) {
-      const Eigen::Index count = groups_[fit.groups[g]].count;
-      const double square = fit.mean.segment(next, count).squaredNorm();
-      determined[g] =
-          std::max(1e-6, static_cast<double>(count) - inverse.diagonal().segment(next, count).sum());
-      prior += square / (fit.size[g] * fit.size[g]);
-      fit.size[g] = std::max(smallest, std::sqrt(square / determined[g]));
-      all_determined += determined[g];
-      next += count;
+      const double determined = std::max(1e-6, fit.determined[g]);
+      prior += square[g] / (fit.size[g] * fit.size[g]);
+      fit.size[g] = std::max(smallest, std::sqrt(square[g] / determined));
+      all_determined += determined;
     }
     variance = std::max(1e-300, (left - variance * prior) / std::max(1.0, count_ - all_determined));
   }
+  fit.mean = Eigen::VectorXd::Zero(gram_.rows());
+  fit.mean(fit.columns) = mean;
   fit.noise = std::sqrt(variance);
   fit.log_evidence =
       -0.5 * (count_ * std::log(2 * std::numbers::pi * variance) + log_determinant + left / variance) +
       log_scale_prior(std::log(fit.noise));
   for (std::size_t g = 0; g < fit.groups.size(); ++g)  // by Laplace's method over the logarithm of the size
     if (fit.size[g] > smallest)
-      fit.log_evidence += 0.5 * std::log(std::numbers::pi / std::max(1.0, determined[g])) -
+      fit.log_evidence += 0.5 * std::log(std::numbers::pi / std::max(1.0, fit.determined[g])) -
                           std::log(std::log(largest / smallest));
   return fit;
 }
 
 std::vector<std::size_t> GroupedRegression::promising(const GroupedFit& beside,
                                                       const std::vector<std::size_t>& offered) const {
-  constexpr std::size_t few = 12;
-  const std::vector<Eigen::Index> columns = columns_of(beside.groups);
+  constexpr std::size_t few = 16;
   const double variance = beside.noise * beside.noise;
+  const Eigen::VectorXd mean = beside.mean(beside.columns);
   std::vector<std::pair<double, std::size_t>> gains;
   for (const std::size_t one : offered) {
     if (std::find(beside.groups.begin(), beside.groups.end(), one) != beside.groups.end()) continue;
-    const std::vector<Eigen::Index> own = columns_of({one});
-    const Eigen::MatrixXd across = gram_(own, columns);
-    const Eigen::VectorXd score = (product_(own) - across * beside.mean) / variance;
+    const auto own = Eigen::seqN(groups_[one].first, groups_[one].count);
+    const Eigen::MatrixXd across = gram_(own, beside.columns);
+    const Eigen::VectorXd score = (product_(own) - across * mean) / variance;
     Eigen::MatrixXd information =
         gram_(own, own) / variance - across * beside.covariance * across.transpose() / (variance * variance);
     information.diagonal().array() += 1;

@@ -13,14 +13,18 @@ struct ColumnGroup {
   Eigen::Index first, count;
 };
 
-/// Some groups with the standard deviations that have most evidence, and the coefficients' posterior.
+/// Some groups with the standard deviations that have most evidence, and the coefficients' posterior. A
+/// column of several groups belongs to the last of them.
 struct GroupedFit {
   std::vector<std::size_t> groups;
-  std::vector<double> size;    ///< standard deviation of the coefficients, by group of these
-  double noise = 1;            ///< standard deviation of the values
-  Eigen::VectorXd mean;        ///< of the coefficients of these groups, one after the other
-  Eigen::MatrixXd covariance;  ///< of the same
-  double log_evidence = 0;     ///< sizes at their best
+  std::vector<double> size;           ///< standard deviation of the coefficients, by group of these
+  double noise = 1;                   ///< standard deviation of the values
+  std::vector<double> determined;     ///< so many coefficients of the group the values tell
+  std::vector<Eigen::Index> columns;  ///< of these groups
+  std::vector<std::size_t> owner;     ///< place of its group among these, by column of these
+  Eigen::VectorXd mean;               ///< of all columns; zero for those of no group
+  Eigen::MatrixXd covariance;         ///< of the columns of these groups
+  double log_evidence = 0;            ///< sizes at their best
 };
 
 /// All of it goes by one Gram matrix: a choice of groups costs nothing but its own small blocks.
@@ -40,7 +44,8 @@ class GroupedRegression {
                                     const std::vector<std::size_t>& offered) const;
 
  private:
-  [[nodiscard]] std::vector<Eigen::Index> columns_of(const std::vector<std::size_t>& groups) const;
+  /// Takes the columns of the groups, each for the last that has it.
+  void take_columns(GroupedFit& fit) const;
   /// Mackay's iterations from the sizes and the noise of a fit.
   [[nodiscard]] GroupedFit iterated(GroupedFit fit, int iterations) const;
   /// Of those offered, the few beside a fit that promise most by a score test.

@@ -23,7 +23,7 @@ struct Sums {
 /// \param coefficients  of all columns, from what a fold sees: its regression
 template <class Coefficients>
 LeftOfPoses tested(const UnseenTest& test, Coefficients coefficients) {
-  const Measurements& measurements = test.study.measurements();
+  const Measurements& measurements = test.measurements;
   Sums sums;
   for (std::size_t fold = 0; fold < folds; ++fold) {
     std::vector<Eigen::Index> seen, held;
@@ -31,11 +31,11 @@ LeftOfPoses tested(const UnseenTest& test, Coefficients coefficients) {
       (measurements.places()[i].reading % folds == fold ? held : seen)
           .push_back(static_cast<Eigen::Index>(i));
     if (seen.size() <= static_cast<std::size_t>(test.frames.cols())) continue;
-    const MatrixXd frames = test.frames(seen, Eigen::all), columns = test.columns(seen, Eigen::all);
+    const MatrixXd frames = test.frames(seen, Eigen::all), columns = test.effects.columns(seen, Eigen::all);
     const VectorXd values = test.values(seen);
-    const VectorXd found = coefficients(GroupedRegression(frames, columns, test.groups, values));
+    const VectorXd found = coefficients(GroupedRegression(frames, columns, test.effects.groups, values));
     const VectorXd placed = LeastSquares(frames).solve(VectorXd(values - columns * found));
-    VectorXd left = VectorXd(test.values(held)) - test.columns(held, Eigen::all) * found;
+    VectorXd left = VectorXd(test.values(held)) - test.effects.columns(held, Eigen::all) * found;
     if (test.frames.cols() > 0) left -= test.frames(held, Eigen::all) * placed;
     for (std::size_t h = 0; h < held.size(); ++h) {
       const double square = std::pow(left(static_cast<Eigen::Index>(h)) * measurements.sigma()(held[h]), 2);
@@ -49,33 +49,23 @@ LeftOfPoses tested(const UnseenTest& test, Coefficients coefficients) {
   return sums.rms();
 }
 
-/// Coefficients of all columns.
-VectorXd spread_out(const UnseenTest& test, const GroupedFit& fit) {
-  VectorXd all = VectorXd::Zero(test.columns.cols());
-  Eigen::Index next = 0;
-  for (const std::size_t g : fit.groups) {
-    all.segment(test.groups[g].first, test.groups[g].count) = fit.mean.segment(next, test.groups[g].count);
-    next += test.groups[g].count;
-  }
-  return all;
-}
-
 }  // namespace
 
 LeftOfPoses UnseenTest::nominal() const {
-  return tested(*this, [&](const GroupedRegression&) -> VectorXd { return VectorXd::Zero(columns.cols()); });
+  return tested(*this,
+                [&](const GroupedRegression&) -> VectorXd { return VectorXd::Zero(effects.columns.cols()); });
 }
 
 LeftOfPoses UnseenTest::least_squares() const {
   constexpr double free = 10;
   return tested(*this, [&](const GroupedRegression& regression) {
-    return spread_out(*this, regression.tied(always, free));
+    return regression.tied(effects.always(), free).mean;
   });
 }
 
 LeftOfPoses UnseenTest::corrected() const {
   return tested(*this, [&](const GroupedRegression& regression) {
-    return spread_out(*this, regression.extended(always, offered));
+    return regression.extended(effects.always(), effects.offered()).mean;
   });
 }
 

@@ -2,20 +2,16 @@
 /// \file
 /// What corrections of an arm leave of poses that they have not seen, by linear fits.
 
-#include "diagnose/calibration/calibration.hpp"
-#include "diagnose/calibration/grouped_regression.hpp"
-#include "diagnose/inference/study.hpp"
+#include "diagnose/calibration/columns.hpp"
 
 namespace plumbline::diagnose {
 
 /// Every fifth reading is held out, five times over; frames are fitted to the others each time.
 struct UnseenTest {
-  const Study& study;
-  const Eigen::MatrixXd& frames;
-  const Eigen::MatrixXd& columns;
-  const std::vector<ColumnGroup>& groups;
-  const std::vector<std::size_t>&always, &offered;
-  const Eigen::VectorXd& values;
+  const Measurements& measurements;
+  const MatrixXd& frames;
+  const EffectColumns& effects;
+  const VectorXd& values;  ///< what the arm leaves without the effects
 
   /// Of the nominal arm.
   [[nodiscard]] LeftOfPoses nominal() const;

@@ -41,7 +41,7 @@ double uncertainty(const Study& study, const HeldOut& part, const Prediction& pr
   const std::vector<bool> held = heldout_values(study.measurements(), part);
   MatrixXd slopes(static_cast<Eigen::Index>(held.size()), covariance.cols());
   for (Eigen::Index p = 0; p < slopes.cols(); ++p)
-    slopes.col(p) = study.measurements().in_sigmas(predicted.sensitivity[static_cast<std::size_t>(p)]);
+    slopes.col(p) = study.in_sigmas(predicted.sensitivity[static_cast<std::size_t>(p)]);
   double sum = 0, count = 0;
   for (std::size_t i = 0; i < held.size(); ++i) {
     if (!held[i]) continue;

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <plumbline/base/parallel.hpp>
 
 #include "diagnose/inference/prior.hpp"
+#include "diagnose/inference/size_prior.hpp"
 #include "diagnose/outside/outside_cause.hpp"
 #include "diagnose/priors.hpp"
 
@@ -62,12 +62,7 @@ void add_listed(std::vector<Way>& all, const Findings& findings, std::size_t i, 
                    expected(one.look.log_by_amplitude, log_amplitude, one.look.discrepancy)});
   };
   add(Way::Of::listed, 1 - priors::outside, priors.log_amplitude);
-  // A cause outside that these effects imitate leaves some of it.
-  std::vector<double> imitated = priors.log_amplitude;
-  for (std::size_t a = 0; a < imitated.size(); ++a)
-    imitated[a] -= priors.amplitude[a] > 0 ? priors.log_odds_of_listed(priors.amplitude[a])
-                                           : std::numeric_limits<double>::infinity();
-  add(Way::Of::outside, priors::outside, imitated);
+  add(Way::Of::outside, priors::outside, log_amplitude_imitated(priors));
   for (const OutsideRow& row : outside_rows) {
     const std::unique_ptr<OutsideCause> kind = row.make();
     if (!kind->stands_beside()) continue;

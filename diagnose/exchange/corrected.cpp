@@ -14,6 +14,7 @@
 #include "diagnose/exchange/toml.hpp"
 #include "diagnose/exchange/urdf.hpp"
 #include "diagnose/exchange/written_arm.hpp"
+#include "diagnose/inference/calibration.hpp"
 
 namespace plumbline::exchange {
 namespace {
@@ -69,16 +70,12 @@ class Models {
 
   void add(const std::string& cause, const std::string& with, const std::vector<NominalEffect>& effects,
            const std::vector<diagnose::FreeLaw>& laws = {}) {
-    const diagnose::Experiment& nominal = study_.experiment();
-    Model model{fmt::format("Corrected model of \"{}\": the nominal model {}.", nominal.name, with), nominal,
-                nominal.rest.empty() ? nominal.runs.front().rest : nominal.rest};
-    model.experiment.effects.insert(model.experiment.effects.end(), effects.begin(), effects.end());
-    model.experiment.laws.insert(model.experiment.laws.end(), laws.begin(), laws.end());
-    all_.push_back({cause, std::move(model)});
+    add_to(study_.experiment(), cause, with, effects, laws);
   }
-  void add(const Candidate& candidate, const std::vector<double>& values, bool alone) {
-    add(alone ? "" : file_word(candidate), "with " + candidate.label(),
-        effects_of(study_, candidate, values));
+  /// \param values  in catalogue units
+  void add(const diagnose::Hypothesis& found, const std::vector<double>& values, bool alone) {
+    add_to(beside(study_, {found.candidate, found.parameters}), alone ? "" : file_word(found.candidate),
+           "with " + found.candidate.label(), effects_of(study_, found.candidate, values), {});
   }
   void add_law(const diagnose::OfferedLaw& law, bool alone) {
     add(alone ? "" : "torque_law", "with a free torque law", {}, free_laws(study_, law.law));
@@ -87,6 +84,15 @@ class Models {
   std::vector<Corrected> result() { return std::move(all_); }
 
  private:
+  void add_to(const diagnose::Experiment& nominal, const std::string& cause, const std::string& with,
+              const std::vector<NominalEffect>& effects, const std::vector<diagnose::FreeLaw>& laws) {
+    Model model{fmt::format("Corrected model of \"{}\": the nominal model {}.", nominal.name, with), nominal,
+                nominal.rest.empty() ? nominal.runs.front().rest : nominal.rest};
+    model.experiment.effects.insert(model.experiment.effects.end(), effects.begin(), effects.end());
+    model.experiment.laws.insert(model.experiment.laws.end(), laws.begin(), laws.end());
+    all_.push_back({cause, std::move(model)});
+  }
+
   const Study& study_;
   std::vector<Corrected> all_;
 };
@@ -96,8 +102,11 @@ class Models {
 std::vector<Corrected> corrected_models(const Study& study, const Diagnosis& diagnosis,
                                         const std::filesystem::path& source) {
   const diagnose::Cause& cause = diagnosis.cause;
+  const diagnose::Calibration* const calibration = study.experiment().arm_bench.calibration.get();
   Models models(study);
-  if (cause.verdict == CauseVerdict::none) {
+  if (calibration && !cause.is_explained()) {
+    models.add("", "with every joint calibrated", calibration->beside);
+  } else if (cause.verdict == CauseVerdict::none) {
     models.add("", "as it is, for there is no gap", {});
   } else if (cause.verdict == CauseVerdict::unknown) {
     if (diagnosis.law) {
@@ -107,10 +116,10 @@ std::vector<Corrected> corrected_models(const Study& study, const Diagnosis& dia
     }
   } else {
     const bool or_law = cause.or_unknown && diagnosis.law;
-    models.add(cause.ranking.front().hypothesis.candidate, reported(diagnosis), cause.named == 1 && !or_law);
+    models.add(cause.ranking.front().hypothesis, reported(diagnosis), cause.named == 1 && !or_law);
     for (std::size_t i = 1; i < cause.named; ++i) {
       const diagnose::Hypothesis& other = cause.ranking[i].hypothesis;
-      models.add(other.candidate, in_catalogue_units(study, other.candidate, other.parameters), false);
+      models.add(other, in_catalogue_units(study, other.candidate, other.parameters), false);
     }
     if (or_law) models.add_law(*diagnosis.law, false);
   }

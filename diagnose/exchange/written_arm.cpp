@@ -6,6 +6,7 @@
 #include "diagnose/exchange/arm_toml.hpp"
 #include "diagnose/exchange/corrected_arm.hpp"
 #include "diagnose/exchange/read_model.hpp"
+#include "diagnose/inference/calibration.hpp"
 #include "diagnose/rig/characteristic_scales.hpp"
 #include "diagnose/rig/nominal.hpp"
 
@@ -14,14 +15,24 @@ namespace {
 
 using diagnose::Experiment, diagnose::NominalEffect, diagnose::Rig;
 
+/// The points where the experiment has them, before any calibration.
+std::vector<OnLink<double>> declared_points(const diagnose::ArmBench& bench) {
+  std::vector<OnLink<double>> all;
+  for (const diagnose::MeasuredPoint& one : bench.points) {
+    all.push_back(one.at);
+    if (bench.calibration) all.back().frame = bench.calibration->frames[all.size()].declared;
+  }
+  return all;
+}
+
 /// Whether all that is read is read at the tip, so that an error of the place is one of the tip.
 bool is_read_at_tip(const Experiment& experiment) {
   const OnLink<double> tip{experiment.arm->arm.size() - 1, experiment.arm->arm.tip};
   const diagnose::ArmBench& bench = experiment.arm_bench;
   const bool loaded = bench.load == tip && diagnose::characteristic_scales(experiment).imposes_force;
-  return !loaded && !bench.points.empty() &&
-         std::all_of(bench.points.begin(), bench.points.end(),
-                     [&](const auto& one) { return one.at == tip; });
+  const std::vector<OnLink<double>> points = declared_points(bench);
+  return !loaded && !points.empty() &&
+         std::all_of(points.begin(), points.end(), [&](const auto& one) { return one == tip; });
 }
 
 /// The arm of a rig, its joints' zeros and stiffnesses in it, its tip where it was read.
@@ -36,7 +47,8 @@ SerialArm<double> arm_of(const Experiment& experiment, const Rig& rig) {
       link.frame.linear() *= rotation_by<double>(zero * link.axis);
     if (rig.stiffness[j] > 0) link.joint_compliance = 1 / rig.stiffness[j];
   }
-  if (is_read_at_tip(experiment) && !(rig.arm->points.front() == experiment.arm_bench.points.front().at))
+  if (is_read_at_tip(experiment) &&
+      !(rig.arm->points.front() == declared_points(experiment.arm_bench).front()))
     arm.tip = rig.arm->points.front().frame;
   return arm;
 }
@@ -48,6 +60,14 @@ void place_as_in_file(const SerialArm<double>& file, const SerialArm<double>& no
   const bool stands = arm.base.matrix() == nominal.base.matrix();
   arm.base = stands ? file.base : file.base * (nominal.base.inverse() * arm.base);
   if (arm.gravity == nominal.gravity) arm.gravity = file.gravity;
+}
+
+/// The arm of a calibrated bench where its tracker sees it.
+void place_as_seen(const diagnose::ArmBench& bench, SerialArm<double>& arm) {
+  if (!bench.calibration) return;
+  const Pose<double>& tracker = bench.calibration->frames.front().at;
+  arm.base = tracker * arm.base;
+  arm.gravity = tracker.linear() * arm.gravity;
 }
 
 Rig rig_with_effects(Experiment experiment, std::vector<NominalEffect> effects) {
@@ -89,6 +109,7 @@ Written written_arm(const Model& model, Format format) {
   diagnose::NominalArm nominal = *experiment.arm;
   nominal.arm = arm_of(experiment, rig);
   if (format == Format::toml) {
+    place_as_seen(experiment.arm_bench, nominal.arm);
     std::string text = "# " + model.title + "\n";
     for (const Carried& one : others) text += "# NOT CARRIED: " + one.effect + ": " + one.how + "\n";
     return {text + arm_toml(nominal), others};

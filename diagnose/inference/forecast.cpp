@@ -219,11 +219,11 @@ std::vector<Prospect> forecast(const Study& study, const VectorXd& weight,
     std::vector<VectorXd> columns;
     if (probe.is_small()) {
       for (std::size_t c = 0; c < probe.growing.size(); ++c)
-        columns.push_back(remainder.column(study.measurements().in_sigmas(here.sensitivity[first[i] + c])));
+        columns.push_back(remainder.column(study.in_sigmas(here.sensitivity[first[i] + c])));
     } else {
       Prediction far = simulate(study.experiment(), rig(probe, probe.to), {});
       for (std::size_t r = 0; far.reached && r < far.runs.size(); ++r) far.runs[r] -= here.runs[r];
-      if (far.reached) columns.push_back(remainder.column(study.measurements().in_sigmas(far.runs)));
+      if (far.reached) columns.push_back(remainder.column(study.in_sigmas(far.runs)));
     }
     std::erase_if(columns, [](const VectorXd& c) { return !c.allFinite(); });
     if (probe.is_small() && columns.size() < probe.growing.size()) columns.clear();

@@ -74,6 +74,13 @@ double Hyperpriors::log_odds_of_listed(double size) const {
   return log_small - size / priors::discrepancy_scale - log_half_cauchy(size / typical);
 }
 
+std::vector<double> log_amplitude_imitated(const Hyperpriors& priors) {
+  std::vector<double> log_p;
+  for (const double a : priors.amplitude)
+    log_p.push_back(a > 0 ? log_half_cauchy(a / priors.typical) : impossible);
+  return log_p;
+}
+
 double log_size_prior(double size) {
   constexpr double r = smallest_typical;
   return std::log(std::numbers::ln2 * (1 - r) / -std::log(r) * size / ((size + r) * (1 + size)));

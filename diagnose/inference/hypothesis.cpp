@@ -30,7 +30,7 @@ bool predict_into(const Study& study, Hypothesis& h, bool with_jacobian) {
   h.residual = study.residual(predicted);
   h.jacobian.resize(h.residual.size(), with_jacobian ? static_cast<Eigen::Index>(h.parameters.size()) : 0);
   for (Eigen::Index p = 0; p < h.jacobian.cols(); ++p)
-    h.jacobian.col(p) = -study.measurements().in_sigmas(predicted.sensitivity[static_cast<std::size_t>(p)]);
+    h.jacobian.col(p) = -study.in_sigmas(predicted.sensitivity[static_cast<std::size_t>(p)]);
   h.converged = h.residual.allFinite() && h.jacobian.allFinite();
   return h.converged;
 }

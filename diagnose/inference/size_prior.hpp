@@ -7,6 +7,8 @@
 
 namespace plumbline::diagnose {
 
+struct Hyperpriors;
+
 /// From so much of the typical size on any order of magnitude is as probable, up to the typical size.
 inline constexpr double smallest_typical = 1.0 / 27;
 
@@ -20,5 +22,9 @@ struct GridSize {
 
 /// Sizes of equal ratios, from where smaller ones are rare to where larger ones are.
 const std::vector<GridSize>& size_grid();
+
+/// Logarithm of the prior of each size of the discrepancy that effects leave of a cause outside which they
+/// imitate: half-Cauchy about the typical size, and never none.
+std::vector<double> log_amplitude_imitated(const Hyperpriors& priors);
 
 }  // namespace plumbline::diagnose

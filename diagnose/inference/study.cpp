@@ -91,7 +91,18 @@ const Prediction& Study::nominal() const {
 }
 
 VectorXd Study::residual(const Prediction& predicted) const {
-  return measurements_.residual(predicted);
+  return summed_out().of_residual(measurements_.residual(predicted));
+}
+
+VectorXd Study::in_sigmas(const std::vector<Trace>& traces) const {
+  return summed_out().of_slope(measurements_.in_sigmas(traces));
+}
+
+const SummedOut& Study::summed_out() const {
+  std::call_once(late_->summed, [&] {
+    if (experiment_.arm_bench.calibration) late_->summed_out = SummedOut(*this);
+  });
+  return late_->summed_out;
 }
 
 VectorXd Study::nominal_residual() const {
@@ -122,7 +133,9 @@ namespace {
 
 std::vector<EffectAt> possible_by(const Study& study, const CharacteristicScales& scales) {
   std::vector<EffectAt> all;
+  const bool summed_out = study.experiment().arm_bench.calibration != nullptr;
   for (const Effect* row : study.effects()) {
+    if (summed_out && row->is_tolerance) continue;
     const std::size_t first = row->at_joint ? 1 : 0;
     const std::size_t last = row->at_joint ? scales.link_length.size() : 0;
     for (std::size_t joint = first; joint <= last; ++joint)

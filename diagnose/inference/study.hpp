@@ -6,6 +6,7 @@
 #include <mutex>
 
 #include "diagnose/inference/measurements.hpp"
+#include "diagnose/inference/summed_out.hpp"
 #include "diagnose/rig/effect.hpp"
 #include "diagnose/rig/history.hpp"
 
@@ -35,8 +36,12 @@ class Study {
   [[nodiscard]] const Rig& nominal_rig() const { return nominal_rig_; }
   /// What the nominal model predicts; computed when it is first asked for.
   [[nodiscard]] const Prediction& nominal() const;
-  /// (measured - predicted) / declared sigma, flat; of the nominal model.
+  /// (measured - predicted) / declared sigma, flat; of the nominal model. Frames that are unknown and
+  /// tolerances of a calibrated arm are summed out: what is left has the noise's variance in all directions.
   [[nodiscard]] VectorXd residual(const Prediction& predicted) const;
+  /// The same of derivatives or differences of predictions (one trace a run); nothing where frames and
+  /// tolerances hold all of it.
+  [[nodiscard]] VectorXd in_sigmas(const std::vector<Trace>& traces) const;
   [[nodiscard]] VectorXd nominal_residual() const;
   /// What the runs ask of the nominal joints; computed when it is first asked for.
   [[nodiscard]] const Excitation& excitation() const;
@@ -46,6 +51,8 @@ class Study {
   [[nodiscard]] std::vector<ParameterRange> ranges(const Candidate& candidate) const;
 
  private:
+  [[nodiscard]] const SummedOut& summed_out() const;
+
   Experiment experiment_;
   std::vector<const Effect*> effects_;
   Measurements measurements_;
@@ -53,9 +60,10 @@ class Study {
   Rig nominal_rig_;
   /// What is computed when it is first asked for, by whichever thread.
   struct Late {
-    std::once_flag predicted, exercised;
+    std::once_flag predicted, exercised, summed;
     Prediction nominal;
     Excitation exercise;
+    SummedOut summed_out;
   };
   std::shared_ptr<Late> late_ = std::make_shared<Late>();
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnose/inference/size_prior.hpp"
 #include "diagnose/log_sum.hpp"
 #include "diagnose/priors.hpp"
 
@@ -42,7 +43,7 @@ std::vector<Way> ways(const Findings& findings) {
                      share_of_discrepancy(one.look, log_amplitude)});
     };
     add(Way::Of::listed, in, priors.log_amplitude);
-    add(Way::Of::outside, out, priors.log_amplitude_outside);
+    add(Way::Of::outside, out, diagnose::log_amplitude_imitated(priors));
   }
   return all;
 }

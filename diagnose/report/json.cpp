@@ -1,5 +1,6 @@
 #include "diagnose/report/report.hpp"
 
+#include "diagnose/report/calibration_text.hpp"
 #include "diagnose/report/law.hpp"
 
 namespace plumbline::diagnose {
@@ -232,6 +233,7 @@ Json as_json(const Diagnosis& diagnosis) {
                  {"shrink", diagnosis.shrink ? shrink(diagnosis) : Json(nullptr)},
                  {"next", next(diagnosis.proposals)}};
   if (diagnosis.law) report["law"] = law_as_json(*diagnosis.law);
+  if (diagnosis.calibration) report["calibration"] = calibration_as_json(*diagnosis.calibration);
   if (!diagnosis.joints.empty()) report["joint_names"] = diagnosis.joints;
   return report;
 }

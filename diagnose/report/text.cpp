@@ -6,6 +6,7 @@
 #include <set>
 
 #include "diagnose/design/separation.hpp"
+#include "diagnose/report/calibration_text.hpp"
 #include "diagnose/report/law.hpp"
 #include "diagnose/report/noise_text.hpp"
 #include "diagnose/report/report.hpp"
@@ -31,13 +32,17 @@ std::string by_channel(const std::map<Channel, double>& values) {
   return text;
 }
 
+/// What the gap is one of.
+const char* model(const Diagnosis& diagnosis) {
+  return diagnosis.calibration ? "the calibrated arm" : "the nominal model";
+}
+
 std::string gap(const Diagnosis& diagnosis) {
   const GapAnswer& answer = diagnosis.gap;
   std::string text = fmt::format(
-      "Is there a gap?  {} (probability of a gap {}): the nominal model misses {} rms, chi-square per value "
-      "{:.3g}\n",
-      answer.present ? "Yes" : "No", probability_in_words(answer.probability), by_channel(answer.rms),
-      answer.chi2_per_value);
+      "Is there a gap?  {} (probability of a gap {}): {} misses {} rms, chi-square per value {:.3g}\n",
+      answer.present ? "Yes" : "No", probability_in_words(answer.probability), model(diagnosis),
+      by_channel(answer.rms), answer.chi2_per_value);
   text += noise_as_text(diagnosis);
   if (!answer.taken_for_weights.empty())
     text += fmt::format("  all forces of {} point straight down without noise: assumed to be weights\n",
@@ -266,9 +271,8 @@ std::string few_values(const Diagnosis& diagnosis) {
 std::string answer(const Diagnosis& diagnosis) {
   const Cause& cause = diagnosis.cause;
   if (!diagnosis.gap.present)
-    return fmt::format(
-        "No gap: the nominal model fits the readings to within noise of {} times the declared one\n",
-        noise_scales(diagnosis.noise));
+    return fmt::format("No gap: {} fits the readings to within noise of {} times the declared one\n",
+                       model(diagnosis), noise_scales(diagnosis.noise));
   if (diagnosis.fails_to_predict)
     return fmt::format("Unknown: the most probable cause, {}, fails to predict held-out readings\n",
                        in_words(cause.ranking.front().cause));
@@ -301,6 +305,9 @@ std::string names_of_joints(const Diagnosis& diagnosis) {
 /// The answer in a few lines, with what it rests on.
 std::string headline(const Diagnosis& diagnosis) {
   std::string text = answer(diagnosis) + names_of_joints(diagnosis);
+  if (diagnosis.calibration)
+    text += fmt::format("  calibration removes {}{}\n", tolerances_in_words(*diagnosis.calibration),
+                        diagnosis.gap.present ? " beside it" : "");
   if (const auto& shrink = diagnosis.shrink; shrink && shrink->tested() && shrink->ratio < 1)
     text += fmt::format("  {} leaves {} of the held-out residual; noise alone {}\n", tested_model(diagnosis),
                         precise_percent(shrink->ratio), precise_percent(shrink->noise_floor_ratio));
@@ -316,8 +323,10 @@ std::string values_as_text(const Diagnosis& diagnosis) {
 }
 
 std::string questions_as_text(const Diagnosis& diagnosis) {
-  if (!diagnosis.gap.present) return gap(diagnosis);
-  return gap(diagnosis) + "\n" + where(diagnosis) + "\n" + what(diagnosis) + "\n" + how_far(diagnosis) +
+  const std::string gap_or_none =
+      gap(diagnosis) + (diagnosis.calibration ? "\n" + calibration_as_text(*diagnosis.calibration) : "");
+  if (!diagnosis.gap.present) return gap_or_none;
+  return gap_or_none + "\n" + where(diagnosis) + "\n" + what(diagnosis) + "\n" + how_far(diagnosis) +
          (diagnosis.proposals.empty() ? "" : "\n" + what_next(diagnosis));
 }
 

@@ -85,7 +85,7 @@ Explained::Explained(const Study& studied, const Diagnosis& diagnosed)
   if (diagnosed.offers_law()) {
     model = "torque law";
     corrected = predict_with_law(study, diagnosed.law->law);
-    after = measurements.residual(corrected);
+    after = study.residual(corrected);
     return;
   }
   if (best == nullptr) return;
@@ -95,7 +95,7 @@ Explained::Explained(const Study& studied, const Diagnosis& diagnosed)
           : corrects                        ? "corrected model"
                                             : "best explanation";
   corrected = predict(study, best->hypothesis.candidate, best->hypothesis.parameters);
-  after = measurements.residual(corrected);
+  after = study.residual(corrected);
 }
 
 HeldOut heldout_of(const Explained& explained) {

@@ -74,6 +74,9 @@ struct Effect {
   std::function<std::vector<const Effect*>()> orders = nullptr;
   /// A manufacturing tolerance: present on every chain, and beside any cause.
   bool is_tolerance = false;
+  /// A little of it is at every joint of an arm in space, whatever the cause is: a noun phrase for that of
+  /// all joints; empty for other rows.
+  std::string_view everywhere = {};
   /// Stands for a cause that the catalogue does not have.
   bool outside = false;
 };

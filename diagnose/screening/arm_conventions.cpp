@@ -104,6 +104,7 @@ Experiment some_of(Experiment experiment) {
 }  // namespace
 
 std::optional<SuspectedSlip> suspected_slip(const Study& study) {
+  if (study.experiment().arm_bench.frames == ArmBench::Frames::unknown) return {};
   constexpr double large = 0.1, mended = 0.1;  // of the reach; of the misfit as read
   const Experiment few = some_of(study.experiment());
   const double as_read = misfit(few, study.nominal_rig(), study.scales().length);

@@ -27,6 +27,7 @@ class Bench:
     angles: bool  # whether reached joint angles are in the table
     by_cell: bool  # whether a load cell reads the force
     sigma: dict = field(default_factory=dict)  # declared, by kind of channel
+    anywhere: bool = False  # the tracker, and the points on the tool
 
 
 def feasible(shape, tip):

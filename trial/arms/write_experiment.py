@@ -34,6 +34,7 @@ def table(bench, run, places, reached, start):
 def document(name, bench, model):
     shape = bench.shape
     lines = ['format = "chain-experiment/1"', f'name = "{name}"', "", "[arm]", f'model = "{model}"', 'base = "base"', 'tip = "tip"']
+    lines.append(f'frames = "{"unknown" if bench.anywhere else "known"}"')
     if shape.model == "urdf":
         lines.append(f"joint_stiffness = {numbers(shape.stiffness)}")
     lines += ["", "[arm.load]", 'body = "tip"']

@@ -276,6 +276,16 @@ CHAINS = (
     Row("capstan_friction", ("mu",), put_number("capstan"), possible=lambda b: b.load == "tendon" and several(b), most=15, **size_of(ratio(0.05))),
 )
 
+
+def put_disc(truth, bench, place, x):
+    truth.disc[place] = (float(np.hypot(*x)), float(np.arctan2(*x)))
+
+
+def off_axis(bench, place, random):
+    phase = random.uniform(0, 2 * np.pi)
+    return [10 * bench.noise * np.sin(phase), 10 * bench.noise * np.cos(phase)]
+
+
 SENSORS = (
     Row("load_zero", ("b",), put_number("zero"), possible=lambda b: b.by_sensor, **one_of(sensor_torque(0.1))),
     Row("load_gain", ("g",), put_number("gain"), possible=lambda b: b.by_sensor, most=7, **one_of(ratio(0.1))),
@@ -283,6 +293,8 @@ SENSORS = (
         **one_of(lambda b, p: 0.1 * all_torques(b) / duration(b))),
     Row("load_lag", ("tau",), put_number("lag"), possible=lambda b: b.by_sensor and b.clock and b.is_held, most=10,
         **size_of(lambda b, p: 0.02 * duration(b))),
+    Row("encoder_ripple", ("c", "s"), put_disc, off_axis, lambda b, p: [[10 * b.noise, 0.0], [0.0, 10 * b.noise]], each_joint,
+        lambda b: b.kind in ("poses", "sweep"), positive=False, scaled=(0, 1)),
     # of the stroke of a joint that slides
     Row("camera_scale", ("a",), put_number("reading_scale"), possible=lambda b: b.alone == "prismatic" and not b.is_held, planted=False,
         **one_of(ratio(0.1))),

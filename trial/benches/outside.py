@@ -103,10 +103,6 @@ def put_drift(truth, bench, place, amount, random):
     truth.joints[place].shift = lambda time, q: rate * time
 
 
-def put_disc(truth, bench, place, amount, random):
-    truth.disc[place] = (amount, random.uniform(0, 2 * np.pi))
-
-
 def put_table(truth, bench, place, amount, random):
     nominal = np.concatenate(clean_readings(bench, Truth.none(bench.size)))
     heights = shape(nominal, bench.length)[1][:, -1, 1]
@@ -154,7 +150,6 @@ CAUSES = (
     Outside("a leaf of a spring breaks", put_break, lambda b, p: 0.1, lambda b: one_history(b) and swept(b), most=40),
     Outside("the clamp slips once", put_slip, turned(0.1), one_history),
     Outside("the mounting drifts", put_drift, turned(0.1), no_drift_of_load),
-    Outside("an encoder's disc is off its axis", put_disc, lambda b, p: 10 * b.noise, lambda b: b.kind in ("poses", "sweep")),
     Outside("the end point touches a table", put_table, lambda b, p: b.stiffness[0] / b.length.sum() ** 2, lambda b: is_chain(b) and weighed(b),
             everywhere),
     Outside("a spring from the base balances the arm", put_balance, torque(0.3), lambda b: b.kind in ("poses", "sweep"), lambda b: [0]),

@@ -56,7 +56,7 @@ class Truth:
     drift: float = 0.0  # N m/s
     lag: float = 0.0  # s
     reading_scale: float = 0.0  # of the coordinates that are read
-    disc: dict = field(default_factory=dict)  # joint -> amplitude rad, phase: an encoder's disc off its axis
+    disc: dict = field(default_factory=dict)  # joint -> amplitude rad, phase: an encoder off its axis
 
     @classmethod
     def none(cls, size):

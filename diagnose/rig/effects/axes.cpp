@@ -31,7 +31,8 @@ std::vector<Effect> axis_effects() {
              const auto [first, second] = across(link.axis);
              link.frame.linear() *= rotation_by<double>(to.value[0] * first + to.value[1] * second);
            },
-       .possible = has_frames},
+       .possible = has_frames,
+       .everywhere = "tilts of axes"},
       {.id = "axis_shift",
        .words = "an axis of joint {} that is displaced",
        .at_joint = true,
@@ -41,7 +42,8 @@ std::vector<Effect> axis_effects() {
              to.rig.arm->arm.links[to.joint].frame.translation() += vector_of(to.value);
            },
        .possible = has_frames,
-       .nested = {"link_length"}},
+       .nested = {"link_length"},
+       .everywhere = "shifts of axes"},
       {.id = "link_centre",
        .words = "a wrong centre of mass of link {}",
        .at_joint = true,

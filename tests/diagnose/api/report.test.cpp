@@ -57,7 +57,6 @@ TEST_CASE("the answer of a report is one answer, in words, in JSON and as an obj
   CHECK(json["cause"]["ranking"][0]["probability"] == best.probability);
   CHECK(report.text().find(best.cause.name()) != std::string::npos);
   CHECK(report.html().find("<!") == 0);
-  CHECK_FALSE(report.calibration());
 }
 
 TEST_CASE("without a folder the bundled example is read") {

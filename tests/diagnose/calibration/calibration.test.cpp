@@ -1,6 +1,8 @@
 #include "diagnose/calibration/calibration.hpp"
 
+#include "diagnose/answers/diagnosis.hpp"
 #include "diagnose/calibration/registration.hpp"
+#include "diagnose/inference/calibration.hpp"
 #include "tests/diagnose/arms.hpp"
 
 namespace plumbline::diagnose::test {
@@ -28,66 +30,121 @@ struct Truth {
 };
 
 Experiment given(const Truth& truth, unsigned seed) {
-  return as_given(arm_bench(industrial_arm(0), 80), truth.candidate, truth.parameters, seed);
+  Experiment experiment = as_given(arm_bench(industrial_arm(0), 80), truth.candidate, truth.parameters, seed);
+  experiment.arm_bench.frames = ArmBench::Frames::unknown;
+  return experiment;
 }
 
-Pose<double> somewhere() {
+/// The same readings of a tracker that stands elsewhere; the point is said to be where it is not.
+Experiment elsewhere(Experiment experiment) {
+  Pose<double> offset = Pose<double>::Identity();
+  offset.translation() = Vector3<double>(0.04, -0.11, 0.06);
+  Pose<double>& point = experiment.arm_bench.points[0].at.frame;
+  point = point * offset;
   Pose<double> frame = Pose<double>::Identity();
   frame.linear() = rotation_by(Vector3<double>(0.7, -1.9, 1.1));
   frame.translation() = Vector3<double>(1.4, -3.2, 0.6);
-  return frame;
+  move_tracker(experiment, frame);
+  return experiment;
+}
+
+const Calibration& calibration_of(const Study& study) {
+  REQUIRE(study.experiment().arm_bench.calibration);
+  return *study.experiment().arm_bench.calibration;
+}
+
+Truth with_yielding_joint(unsigned seed) {
+  Truth truth(6, seed);
+  truth.add({"joint_compliance", 2}, 1e-4);
+  return truth;
 }
 
 }  // namespace
 
 TEST_CASE("an arm in any frame, with its point anywhere, is calibrated to the same") {
   const Experiment here = given(Truth(6, 1), 2);
-  Experiment elsewhere = here;
-  Pose<double> offset = Pose<double>::Identity();
-  offset.translation() = Vector3<double>(0.04, -0.11, 0.06);
-  elsewhere.arm_bench.points[0].at.frame = elsewhere.arm_bench.points[0].at.frame * offset;
-  move_tracker(elsewhere, somewhere());
-  const std::optional<Calibration> one = calibrated(Study(here)), other = calibrated(Study(elsewhere));
-  REQUIRE(one);
-  REQUIRE(other);
+  const Study one = calibrated(Study(here)), other = calibrated(Study(elsewhere(here)));
   // Steps of Gauss and Newton's method square their error: of 2 mrad on a metre three leave nothing but the
   // difference quotients' 1e-6 of what the effects do, some hundred sigmas.
-  CHECK(std::abs(Study(one->experiment).nominal_residual().norm() -
-                 Study(other->experiment).nominal_residual().norm()) < 1e-2);
-  CHECK(one->corrected.place == doctest::Approx(other->corrected.place).epsilon(1e-2));
-  REQUIRE(one->sizes.size() == other->sizes.size());
-  for (std::size_t g = 0; g < one->sizes.size(); ++g)
-    CHECK(one->sizes[g].size == doctest::Approx(other->sizes[g].size).epsilon(2e-2));
+  CHECK((one.nominal_residual() - other.nominal_residual()).norm() < 1e-2);
+  const Calibration &first = calibration_of(one), &second = calibration_of(other);
+  CHECK(first.corrected.place == doctest::Approx(second.corrected.place).epsilon(1e-2));
+  REQUIRE(first.tolerances.size() == second.tolerances.size());
+  for (std::size_t t = 0; t < first.tolerances.size(); ++t) {
+    CHECK(first.tolerances[t].at == second.tolerances[t].at);
+    for (std::size_t p = 0; p < first.tolerances[t].mean.size(); ++p) {
+      const double size = first.tolerances[t].deviation[p];
+      CHECK(second.tolerances[t].deviation[p] == doctest::Approx(size).epsilon(2e-2));
+      CHECK(std::abs(first.tolerances[t].mean[p] - second.tolerances[t].mean[p]) < 2e-2 * size);
+    }
+  }
 }
 
 TEST_CASE("of tolerances alone nothing sticks out, and the correction is as good as least squares") {
   for (const unsigned seed : {3U, 4U}) {
-    const std::optional<Calibration> found = calibrated(Study(given(Truth(6, seed), seed)));
-    REQUIRE(found);
-    CHECK(found->beside.empty());
-    CHECK(found->corrected.place <= 1.1 * found->least_squares.place);
-    CHECK(found->nominal.place > 5 * found->corrected.place);
+    const Study study = calibrated(Study(given(Truth(6, seed), seed)));
+    const Calibration& found = calibration_of(study);
+    CHECK(found.beside.empty());
+    CHECK(found.corrected.place <= 1.1 * found.least_squares.place);
+    CHECK(found.nominal.place > 5 * found.corrected.place);
+    // What is left has the noise's variance in all directions but those of the frames.
+    const VectorXd left = study.nominal_residual();
+    const auto values = static_cast<double>(left.size());
+    CHECK(std::abs(left.squaredNorm() / values - 1) < 4 * std::sqrt(2 / values));
   }
 }
 
-// The yielding is taken up by the tolerances: nothing is named beside them.
-TEST_CASE("a joint that yields sticks out of zeros and tilts of all joints" * doctest::should_fail()) {
-  Truth truth(6, 5);
-  truth.add({"joint_compliance", 2}, 1e-4);
-  const std::optional<Calibration> found = calibrated(Study(given(truth, 6)));
-  REQUIRE(found);
-  REQUIRE(!found->beside.empty());
-  CHECK(found->beside.front().label() == "joint_compliance(2)");
-  CHECK(found->corrected.place <= 1.1 * found->least_squares.place);
+TEST_CASE("a joint that yields sticks out of zeros and tilts of all joints") {
+  const Study study = calibrated(Study(given(with_yielding_joint(5), 6)));
+  const Calibration& found = calibration_of(study);
+  REQUIRE(!found.beside.empty());
+  CHECK(found.beside.front().label() == "joint_compliance(2)");
+  CHECK(found.corrected.place <= 1.1 * found.least_squares.place);
 }
 
 TEST_CASE(
     "what a fit has not seen is left as noise alone would leave it, but for what the fit does not know") {
-  const std::optional<Calibration> found = calibrated(Study(given(Truth(6, 7), 8)));
-  REQUIRE(found);
+  const Study study = calibrated(Study(given(Truth(6, 7), 8)));
+  const Calibration& found = calibration_of(study);
   // Noise of 3e-5 m an axis; 192 values fit some forty numbers, which adds less than a half to the squares.
-  CHECK(found->corrected.place > 0.9 * std::sqrt(3.0) * 3e-5);
-  CHECK(found->corrected.place < 1.3 * std::sqrt(3.0) * 3e-5);
+  CHECK(found.corrected.place > 0.9 * std::sqrt(3.0) * 3e-5);
+  CHECK(found.corrected.place < 1.3 * std::sqrt(3.0) * 3e-5);
+}
+
+TEST_CASE("a verdict is the same wherever the tracker stands and the point sits" *
+          doctest::test_suite("long")) {
+  const Experiment here = given(with_yielding_joint(9), 10);
+  const Diagnosis one = diagnose(calibrated(Study(here))),
+                  other = diagnose(calibrated(Study(elsewhere(here))));
+  REQUIRE(one.cause.named > 0);
+  CHECK(one.cause.ranking.front().cause.label() == "joint_compliance(2)");
+  CHECK(one.cause.verdict == other.cause.verdict);
+  CHECK(one.cause.named == other.cause.named);
+  REQUIRE(other.cause.named > 0);
+  CHECK(one.cause.ranking.front().cause == other.cause.ranking.front().cause);
+  // The calibration's 1e-2 of a sigma in all of the readings moves no log evidence by more.
+  CHECK(one.cause.ranking.front().probability ==
+        doctest::Approx(other.cause.ranking.front().probability).epsilon(2e-2));
+  CHECK(one.estimates.front().front().value ==
+        doctest::Approx(other.estimates.front().front().value).epsilon(1e-3));
+  // Frames are unknown, and no causes: what they hold all of is not told.
+  for (const RankedCause& cause : one.cause.ranking)
+    for (const EffectAt& at : cause.cause.effects) {
+      CHECK(at.effect->id != "camera_turn");
+      CHECK(at.effect->id != "position_offset");
+    }
+}
+
+TEST_CASE("frames that are known stay as they are") {
+  Experiment experiment = given(Truth(6, 1), 2);
+  experiment.arm_bench.frames = ArmBench::Frames::known;
+  CHECK_FALSE(calibrated(Study(experiment)).experiment().arm_bench.calibration);
+}
+
+TEST_CASE("fewer values than unknowns are refused by a line that says how many are wanted") {
+  Experiment experiment = given(Truth(6, 1), 2);
+  for (Run& run : experiment.runs) run.readings.resize(2);
+  CHECK_THROWS_WITH_AS(calibrated(Study(experiment)), doctest::Contains("12 measured values"), Error);
 }
 
 }  // namespace plumbline::diagnose::test

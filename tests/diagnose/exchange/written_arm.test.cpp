@@ -9,8 +9,10 @@
 #include <set>
 
 #include "diagnose/bench/read_experiment.hpp"
+#include "diagnose/exchange/arm_toml.hpp"
 #include "diagnose/exchange/corrected.hpp"
 #include "diagnose/exchange/read_model.hpp"
+#include "diagnose/inference/calibration.hpp"
 #include "tests/diagnose/exchange/arm_in_mujoco.hpp"
 #include "tests/diagnose/exchange/drawn_arm.hpp"
 #include "tests/diagnose/exchange/proof.hpp"
@@ -137,6 +139,39 @@ TEST_CASE("an arm's corrected file, read on the bench that gave it, predicts wha
       CAPTURE(id);
       CHECK(carried.contains(id));
     }
+  }
+}
+
+TEST_CASE(
+    "a calibrated arm has its tip where it was solved for; its base is the tracker's matter, and the "
+    "bench's") {
+  Eigen::Isometry3d tracker = Eigen::Isometry3d::Identity();
+  tracker.rotate(Eigen::AngleAxisd(0.4, Eigen::Vector3d(1, 2, 3).normalized()));
+  tracker.pretranslate(Eigen::Vector3d(1, -2, 0.5));
+  for (const ArmFile& one : arms) {
+    CAPTURE(one.name);
+    const Folder folder;
+    folder.write(one.name, one.text);
+    Experiment bench = on_bench(folder, one.name, arm_in(folder, one.name));
+    Eigen::Isometry3d& tip = bench.arm_bench.points[0].at.frame;
+    diagnose::Calibration found;
+    found.frames.push_back({"tracker", tracker, Eigen::Isometry3d::Identity(), {}, {}});
+    found.frames.push_back({"tip", tip, tip, {}, {}});
+    tip.translate(Eigen::Vector3d(0.02, -0.01, 0.03));
+    found.frames.back().at = tip;
+    bench.arm_bench.calibration = std::make_shared<const diagnose::Calibration>(found);
+    const Model model{"calibrated", bench, {}, folder / one.name};
+    folder.write(std::string("again-") + one.name, written(model, format_of(model.source)).text);
+    const SerialArm<double> file = arm_in(folder, one.name),
+                            again = arm_in(folder, std::string("again-") + one.name);
+    // Files have twelve digits.
+    CHECK((again.tip.matrix() - tip.matrix()).cwiseAbs().maxCoeff() < 1e-11);
+    CHECK(again.base.matrix() == file.base.matrix());
+    diagnose::NominalArm seen = *bench.arm;
+    seen.arm.tip = tip;
+    seen.arm.base = tracker * seen.arm.base;
+    seen.arm.gravity = tracker.linear() * seen.arm.gravity;
+    CHECK(written(model, Format::toml).text.find(arm_toml(seen)) != std::string::npos);
   }
 }
 

@@ -93,7 +93,7 @@ TEST_CASE("what a cause outside does is most probable in its own row") {
 }
 
 TEST_CASE("the prior of sizes is one over all sizes, and what is smaller than one of them is its sum") {
-  double sum = 0;
+  double sum = std::exp(log_smaller(std::exp2(-60.5)));
   for (int k = -60; k <= 60; ++k) {
     sum += std::exp(log_size_prior(std::exp2(k)));
     // The midpoint rule on a smooth function of the logarithm, up to half a step above.

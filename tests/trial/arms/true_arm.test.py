@@ -16,8 +16,10 @@ import numpy as np
 
 from batch_statics import PlainArm
 from draw import draw
+from experiment import Bench, Run, clean_readings, draw_poses, weights
 from generate import make, sha256
 from model_files import mjcf, quaternion, rotation, rotation_about, urdf
+from ordinary import SHAPES as ORDINARY, STRENGTH, beside_frames, draw as draw_ordinary
 from shapes import HOBBY, INDUSTRIAL, SHAPES
 from true_arm import TrueArm
 from truth import Truth
@@ -122,7 +124,7 @@ class Drawing(unittest.TestCase):
             with tempfile.TemporaryDirectory() as folder:
                 out, labels = pathlib.Path(folder) / "a", pathlib.Path(folder) / "b"
                 labels.mkdir()
-                name, seal = make((out, labels, 5, (), 3))
+                name, seal = make((out, labels, 5, (), None, 3))
                 envelope = json.loads((labels / f"{name}.json").read_text())
                 self.assertEqual(seal, sha256(envelope["salt"] + "\n" + envelope["label"]))
                 written.append({f.name: f.read_text() for f in sorted((out / name).iterdir())})
@@ -132,6 +134,22 @@ class Drawing(unittest.TestCase):
         drawn = draw(0, 11, ("joint_zero",))
         self.assertEqual([one.cause.id for one in drawn.planted], ["joint_zero"])
         self.assertGreater(drawn.strength, 2)
+
+
+class Ordinary(unittest.TestCase):
+    def test_motions_of_tracker_and_ball_have_no_strength_beside_frames(self):
+        shape, random = ORDINARY[0], np.random.default_rng(2)
+        bench = Bench(shape, [Run("poses", draw_poses(shape, 20, random), weights(shape, 0, 20))], (), False, False)
+        moved, small = Truth(shape.size), 1e-4
+        moved.tracker_shift, moved.tracker_turn, moved.tip_shift = small * random.normal(size=(3, 3))
+        nominal, seen = clean_readings(bench, Truth(shape.size)), clean_readings(bench, moved)
+        # to first order: what is left is the square of the turn times the reach, and joints that yield to the tip's own weight, which is none
+        self.assertLess(beside_frames(bench, seen, nominal) * shape.tracker, 2 * small**2 * shape.length)
+
+    def test_an_ordinary_arm_has_one_cause_of_the_strength_in_four_of_five(self):
+        drawn = [draw_ordinary(number, 3, 6e-4) for number in (0, 4)]
+        self.assertEqual([len(one.planted) for one in drawn], [1, 0])
+        self.assertLess(abs(np.log(drawn[0].planted[0].strength / STRENGTH)), 0.1)
 
 
 if __name__ == "__main__":

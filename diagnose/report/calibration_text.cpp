@@ -1,8 +1,9 @@
-#include "diagnose/calibration/calibration_text.hpp"
+#include "diagnose/report/calibration_text.hpp"
 
 #include <fmt/format.h>
 
 #include "diagnose/bench/roll_pitch_yaw.hpp"
+#include "diagnose/report/view.hpp"
 
 namespace plumbline::diagnose {
 namespace {
@@ -14,6 +15,17 @@ std::string left(const LeftOfPoses& one) {
   if (one.place > 0) text += fmt::format("{:.3g} mm", 1e3 * one.place);
   if (one.turn > 0) text += fmt::format("{}{:.3g} mrad", text.empty() ? "" : ", ", 1e3 * one.turn);
   return text;
+}
+
+/// "zeros of 10 mrad", "gear ratios of 0.02 %"
+std::string size_in_words(const LearnedSize& one) {
+  const bool ratio = one.unit == "ratio", small = one.unit == "rad" || one.unit == "m";
+  return fmt::format("{} of {:.2g} {}{}", one.effect.effect->everywhere,
+                     (ratio   ? 100
+                      : small ? 1e3
+                              : 1) *
+                         one.size,
+                     small ? "m" : "", ratio ? "%" : one.unit);
 }
 
 std::string vector_in_words(const Vector3<double>& one, double factor, const char* unit) {
@@ -48,17 +60,18 @@ Json numbers(const Vector3<double>& v) {
 
 }  // namespace
 
+std::string tolerances_in_words(const Calibration& of) {
+  std::vector<std::string> words;
+  for (const LearnedSize& one : of.sizes) words.push_back(size_in_words(one));
+  return words.empty() ? "no error of all joints" : joined(words, ", ", " and ") + " at all joints";
+}
+
 std::string calibration_as_text(const Calibration& of) {
   std::string text = fmt::format(
       "How good is the corrected arm?  Of poses that a fit has not seen it leaves {} rms; least squares of "
       "all "
       "geometry {}, the nominal arm {}\n",
       left(of.corrected), left(of.least_squares), left(of.nominal));
-  text += "  every joint is a little off:";
-  for (std::size_t i = 0; i < of.sizes.size(); ++i)
-    text += fmt::format("{} {} {:.2g} {}", i > 0 ? "," : "", of.sizes[i].effect.effect->id, of.sizes[i].size,
-                        of.sizes[i].unit);
-  text += "\n";
   for (const NominalEffect& one : of.beside) {
     text += fmt::format("  beside these, by a linear fit: {}", one.label());
     for (const auto& [name, value] : one.parameters) text += fmt::format(", {} = {:.3g}", name, value);
