@@ -80,6 +80,12 @@ std::string bent(int degrees) {
          shared_digits(shape.y);
 }
 
+std::string pushed_across(int force) {
+  const BentCantilever shape = cantilever_pushed_across(Interval(force));
+  return shared_digits(shape.y) + "; " + shared_digits(Interval(1) - shape.x) + "; " +
+         shared_digits(shape.tip);
+}
+
 const Support<Rational> pin = pinned<Rational>(), roller = guided<Rational>(), clamp = clamped<Rational>(),
                         nothing = {};
 
@@ -114,7 +120,7 @@ struct Row {
   std::function<std::string()> proved;
 };
 
-constexpr const char* timoshenko = "Timoshenko, Gere 1961";
+constexpr const char *timoshenko = "Timoshenko, Gere 1961", *mattiasson = "Mattiasson 1981";
 
 const Row rows[] = {
     {"rod, pinned and pinned", "P", "9.8696", timoshenko, [] { return factor(compressed_rod(pin, roller)); }},
@@ -180,6 +186,14 @@ const Row rows[] = {
        return shared_digits(shape.force) + "; " + shared_digits(shape.x - Interval(1)) + "; " +
               shared_digits(shape.y);
      }},
+    {"cantilever, across 1", "y; 1 - x; tip", "0.30172; 0.05643; 0.46135", mattiasson,
+     [] { return pushed_across(1); }},
+    {"cantilever, across 2", "y; 1 - x; tip", "0.49346; 0.16064; 0.78175", mattiasson,
+     [] { return pushed_across(2); }},
+    {"cantilever, across 5", "y; 1 - x; tip", "0.71379; 0.38763; 1.21537", mattiasson,
+     [] { return pushed_across(5); }},
+    {"cantilever, across 10", "y; 1 - x; tip", "0.81061; 0.555; 1.43029", mattiasson,
+     [] { return pushed_across(10); }},
 };
 
 std::vector<std::string> parts(const std::string& list) {
