@@ -41,7 +41,9 @@ def verdict(ways, temper=TEMPER, shift=lambda way: 0.0):
     if not causes or outside > sum(sums.values()):
         return "unknown", frozenset()
     named = ([causes[0][0]] + [c for c, p in causes[1:] if p >= 1 / WRONG])[: LARGEST - (outside >= 1 / WRONG)]
-    sure = len(named) == 1 and outside < 1 / WRONG
+    others = [outside] + [p for _, p in causes[1:]]
+    alone_costs_less = 1.5 * WRONG * sum(others) <= 1 + WRONG * (sum(others) - max(others))
+    sure = len(named) == 1 and outside < 1 / WRONG and alone_costs_less
     return "identified" if sure else "ambiguous", frozenset(named)
 
 
