@@ -1,4 +1,5 @@
-// What others published of rods and short chains, beside what is proved here: the table of docs/rods.md.
+// What others published of rods and short chains, beside what is proved here: the table of
+// benchmarks/RESULTS-rods.md.
 
 #include <doctest/doctest.h>
 
@@ -222,8 +223,8 @@ std::string agreeing_digits(const std::string& published, const std::string& pro
 
 }  // namespace
 
-TEST_CASE("published values of rods: the table of docs/rods.md") {
-  std::ifstream file(PLUMBLINE_SOURCE_DIR "/docs/rods.md");
+TEST_CASE("published values of rods: the table of benchmarks/RESULTS-rods.md") {
+  std::ifstream file(PLUMBLINE_SOURCE_DIR "/benchmarks/RESULTS-rods.md");
   std::ostringstream document;
   document << file.rdbuf();
   for (const Row& row : rows) {
@@ -232,6 +233,6 @@ TEST_CASE("published values of rods: the table of docs/rods.md") {
                              " | " + row.source + " | " + proved + " | " +
                              agreeing_digits(row.published, proved) + " |";
     MESSAGE(line);
-    CHECK_MESSAGE(document.str().find(line) != std::string::npos, "docs/rods.md lacks: ", line);
+    CHECK_MESSAGE(document.str().find(line) != std::string::npos, "benchmarks/RESULTS-rods.md lacks: ", line);
   }
 }
