@@ -133,17 +133,19 @@ void refuse_for_motion(const DiagnoseOptions& options,
                 {{"--model", options.model}, {"--effects", options.effects}, {"--against", options.against}});
   for (const auto& [name, value] : others)
     if (!value.empty()) throw Error(name, "an experiment of motion", "a bench of loads or poses");
-  if (options.plan || options.next)
-    throw Error(options.plan ? "--plan" : "--next", "an experiment of motion", "a bench of loads or poses");
+  if (options.plan) throw Error("--plan", "an experiment of motion", "a bench of loads or poses");
 }
 
 void run_motion(const DiagnoseOptions& options, const CLI::App& verb) {
   refuse_for_motion(options, {});
-  diagnose_motion(options.experiments.front(), {options.json, options.html, options.corrected}, verb);
+  diagnose_motion(options.experiments.front(), {options.json, options.html, options.corrected}, options.next,
+                  verb);
 }
 
 void run_torques(const DiagnoseOptions& options, const CLI::App& verb) {
-  refuse_for_motion(options, {{"--html", options.html}, {"--corrected", options.corrected}});
+  refuse_for_motion(
+      options,
+      {{"--html", options.html}, {"--corrected", options.corrected}, {"--next", options.next ? "yes" : ""}});
   balance_torques(options.experiments.front(), options.json, verb);
 }
 
