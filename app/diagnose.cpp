@@ -106,26 +106,27 @@ void refuse_for_motion(const DiagnoseOptions& options,
   others.insert(others.end(), {{"--model", options.model}, {"--effects", options.effects}});
   for (const auto& [name, value] : others)
     if (!value.empty()) throw Error(name, "an experiment of motion", "a bench of loads or poses");
-  if (options.plan || options.next || options.since)
-    throw Error(options.plan   ? "--plan"
-                : options.next ? "--next"
-                               : "--since",
-                "an experiment of motion", "a bench of loads or poses");
+  if (options.plan || options.since)
+    throw Error(options.plan ? "--plan" : "--since", "an experiment of motion", "a bench of loads or poses");
 }
 
 void run_motion(const DiagnoseOptions& options, const CLI::App& verb) {
   if (!options.against.empty()) {
-    refuse_for_motion(options, {{"--html", options.html}, {"--corrected", options.corrected}});
+    refuse_for_motion(options, {{"--html", options.html},
+                                {"--corrected", options.corrected},
+                                {"--next", options.next ? "yes" : ""}});
     return diagnose_motion_change({options.input(), options.against, options.json, "", options.check}, verb);
   }
   refuse_for_motion(options, {});
-  diagnose_motion(options.experiments.front(), {options.json, options.html, options.corrected}, verb);
+  diagnose_motion(options.experiments.front(), {options.json, options.html, options.corrected}, options.next,
+                  verb);
 }
 
 void run_torques(const DiagnoseOptions& options, const CLI::App& verb) {
-  refuse_for_motion(
-      options,
-      {{"--html", options.html}, {"--corrected", options.corrected}, {"--against", options.against}});
+  refuse_for_motion(options, {{"--html", options.html},
+                              {"--corrected", options.corrected},
+                              {"--against", options.against},
+                              {"--next", options.next ? "yes" : ""}});
   balance_torques(options.experiments.front(), options.json, verb);
 }
 

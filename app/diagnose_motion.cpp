@@ -47,7 +47,7 @@ void balance_torques(const std::string& folder, const std::string& json, const C
   if (json != "-") fmt::print("{}", as_text(balance));
 }
 
-void diagnose_motion(const std::string& folder, const MotionFiles& files, const CLI::App& verb) {
+void diagnose_motion(const std::string& folder, const MotionFiles& files, bool next, const CLI::App& verb) {
   Outputs outputs(verb, {std::filesystem::path(folder) / "experiment.toml"});
   files::OutputFile *const json = outputs.open("--json", files.json),
                            *const html = outputs.open("--html", files.html),
@@ -68,7 +68,9 @@ void diagnose_motion(const std::string& folder, const MotionFiles& files, const 
   if (html) html->write(page::on_page(as_html(study.bench(), diagnosis), outputs.provenance()));
   outputs.commit();
   if (files.json != "-" && files.html != "-")
-    fmt::print("{}{}", as_text(diagnosis), model ? words_of(written.effects, files.corrected) : "");
+    fmt::print("{}{}{}", as_text(diagnosis),
+               next || diagnosis.verdict == diagnose::CauseVerdict::ambiguous ? next_text(diagnosis) : "",
+               model ? words_of(written.effects, files.corrected) : "");
 }
 
 }  // namespace plumbline::app

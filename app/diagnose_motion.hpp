@@ -15,7 +15,8 @@ struct MotionFiles {
   std::string json, html, corrected;  ///< the last: the model of the joint with what was found
 };
 
-void diagnose_motion(const std::string& folder, const MotionFiles& files, const CLI::App& verb);
+/// \param next  whether the motion to be logged next is told where the cause is clear, too
+void diagnose_motion(const std::string& folder, const MotionFiles& files, bool next, const CLI::App& verb);
 
 /// Whether the folder holds logs of an arm's torques.
 bool is_of_torques(const std::string& folder);

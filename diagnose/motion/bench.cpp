@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <plumbline/base/parallel.hpp>
+#include <set>
 
 #include "diagnose/motion/roll_out.hpp"
 
@@ -58,6 +59,22 @@ Drive<double> Study::drive(const std::vector<Parameter>& parameters,
   return drive;
 }
 
+namespace {
+
+/// Where the means of a segment begin. One lasts as long as the encoder shows one value, for such readings
+/// have one error; and so a value counts once in the variance of a mean.
+std::vector<std::size_t> mean_begins(const MotionLog& log, const Segment& place) {
+  std::vector<std::size_t> first{0};
+  for (std::size_t k = 1; k < place.end - place.first; ++k) {
+    const std::size_t now = place.first + k, begin = place.first + first.back();
+    const bool moves = log.position[now] != log.position[now - 1] || log.position[now] != log.position[begin];
+    if (moves && log.time[now] - log.time[begin] >= mean_duration) first.push_back(k);
+  }
+  return first;
+}
+
+}  // namespace
+
 template <int size>
 SegmentMeans Study::left_of(std::size_t segment, const std::vector<Parameter>& parameters,
                             const std::vector<double>& values, const Begin& begin) const {
@@ -74,9 +91,7 @@ SegmentMeans Study::left_of(std::size_t segment, const std::vector<Parameter>& p
       angles_of(carried, log, place, Number::variable(rough.q + unit(0) * begin(0), at_begin),
                 Number::variable(rough.v + unit(1) * begin(1), at_begin + 1));
 
-  std::vector<std::size_t> first{0};
-  for (std::size_t k = 1; k < angle.size(); ++k)
-    if (log.time[place.first + k] - log.time[place.first + first.back()] >= mean_duration) first.push_back(k);
+  std::vector<std::size_t> first = mean_begins(log, place);
   const auto rows = static_cast<Eigen::Index>(first.size()),
              columns = static_cast<Eigen::Index>(parameters.size());
   first.push_back(angle.size());
@@ -95,7 +110,9 @@ SegmentMeans Study::left_of(std::size_t segment, const std::vector<Parameter>& p
     left.residual(i) -= mean.value;
     left.slopes.row(i) = mean.derivative.head(columns).matrix().transpose();
     left.initial.row(i) = mean.derivative.tail(2).matrix().transpose() * unit.asDiagonal();
-    left.variance(i) = bench_.sigma * bench_.sigma / count;
+    const std::set<double> told(log.position.begin() + static_cast<std::ptrdiff_t>(place.first + from),
+                                log.position.begin() + static_cast<std::ptrdiff_t>(place.first + to));
+    left.variance(i) = bench_.sigma * bench_.sigma / static_cast<double>(told.size());
   }
   return left;
 }

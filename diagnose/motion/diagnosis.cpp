@@ -26,7 +26,7 @@ std::vector<Estimate> estimates(const Hypothesis& h, std::size_t from, std::size
 }
 
 NamedCause named(const Study& study, const Hypothesis& h, double probability, double temper) {
-  NamedCause cause{{}, probability};
+  NamedCause cause{{}, probability, study.drive(h.parameters, h.values)};
   std::size_t from = study.unknowns();
   for (const Row* row : h.candidate.rows) {
     cause.effects.push_back({std::string(row->id), std::string(row->words),
@@ -127,6 +127,8 @@ Diagnosis diagnose_motion(const Study& study, const std::function<void(double)>&
   if (!result.causes.empty()) result.rest = rest_of(result, best, study.bench().sigma);
   if (result.verdict == CauseVerdict::identified && !result.rest.empty())
     result.verdict = CauseVerdict::partial;
+  if (result.ranking.size() > 1)
+    result.next = next_motion(study.bench(), result.ranking[0].drive, result.ranking[1].drive);
   return result;
 }
 

@@ -8,6 +8,7 @@
 
 #include "diagnose/decision/verdict.hpp"
 #include "diagnose/motion/log_look.hpp"
+#include "diagnose/motion/next_motion.hpp"
 #include "diagnose/motion/search.hpp"
 
 namespace plumbline::motion {
@@ -28,6 +29,7 @@ struct NamedEffect {
 struct NamedCause {
   std::vector<NamedEffect> effects;
   double probability;
+  Drive<double> drive = {};  ///< with it
 };
 
 /// Mean |predicted - measured| over one log that is rolled out whole, rad.
@@ -52,6 +54,8 @@ struct Diagnosis {
   double spread = 0;                ///< of what the first that is named leaves, standard deviation, rad
   std::vector<LogError> errors;     ///< of every log; before and after are the same without a cause
   Drive<double> without, drive;     ///< without a cause, and with the first that is named
+
+  std::optional<NextMotion> next;  ///< in which the two most probable explanations differ most
 
   /// Mean error of the logs held out, or of the others.
   [[nodiscard]] LogError mean(bool held_out) const;

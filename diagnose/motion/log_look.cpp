@@ -29,6 +29,18 @@ double range_of(const std::vector<double>& values) {
 
 }  // namespace
 
+void mend_spikes(MotionLog& log, double sigma) {
+  // So far beside a straight line of neighbours that neither noise nor motion gets there and back.
+  constexpr double in_sigmas = 25, beside_motion = 5;
+  for (std::size_t k = 1; k + 1 < log.position.size(); ++k) {
+    const double before = log.position[k - 1], after = log.position[k + 1], between = (before + after) / 2;
+    const double away = std::abs(log.position[k] - between);
+    if (away < in_sigmas * sigma || away < beside_motion * std::abs(after - before)) continue;
+    log.position[k] = between;
+    ++log.spikes;
+  }
+}
+
 LogsLook look_at(const std::vector<MotionLog>& logs) {
   LogsLook look;
   look.logs = logs.size();
@@ -37,6 +49,7 @@ LogsLook look_at(const std::vector<MotionLog>& logs) {
   look.quantum = std::numeric_limits<double>::infinity();
   for (const MotionLog& log : logs) {
     look.readings += log.time.size();
+    look.spikes += log.spikes;
     for (std::size_t k = 0; k < log.time.size(); ++k) {
       powered += log.powered[k], saturated += is_saturated(log, k);
       if (k == 0) continue;

@@ -13,7 +13,12 @@ struct LogsLook {
   double quantum = 0;                            ///< least change of position that occurs, rad
   double saturated = 0;  ///< share of the powered readings whose error asks for the whole duty
   double off = 0;        ///< share of the readings without power
+  std::size_t spikes = 0;
 };
+
+/// Replaces isolated readings of position, far from both neighbours that agree, by the neighbours' mean.
+/// \param sigma  standard deviation of a reading, rad
+void mend_spikes(MotionLog& log, double sigma);
 
 LogsLook look_at(const std::vector<MotionLog>& logs);
 

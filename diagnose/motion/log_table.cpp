@@ -12,7 +12,10 @@
 namespace plumbline::motion {
 
 LogTable::LogTable(const std::string& text, std::string source)
-    : source_(std::move(source)), rows_(files::parse_csv(text, source_)) {
+    : LogTable(files::parse_csv(text, source), source) {}
+
+LogTable::LogTable(std::vector<files::CsvRow> rows, std::string source)
+    : source_(std::move(source)), rows_(std::move(rows)) {
   if (rows_.size() < 2) throw Error(source_, "a header alone", "rows of numbers");
   for (const files::CsvRow& row : rows_)
     if (row.fields.size() != rows_.front().fields.size())

@@ -13,6 +13,8 @@ class LogTable {
  public:
   /// \throws Error that names the source: no row, or one of another length than the header
   LogTable(const std::string& text, std::string source);
+  /// \param rows  the header first
+  LogTable(std::vector<files::CsvRow> rows, std::string source);
 
   [[nodiscard]] std::size_t rows() const { return rows_.size() - 1; }
   /// "log.csv:7"

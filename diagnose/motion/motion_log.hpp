@@ -17,6 +17,7 @@ struct MotionLog {
   std::vector<double> position;  ///< rad
   std::vector<double> supply;    ///< V; one where none is read
   std::vector<bool> powered;
+  std::size_t spikes = 0;  ///< isolated readings of position that were replaced
   EncoderSide encoder = EncoderSide::joint;
   double gain = 0;     ///< of the servo: duty per rad of error
   double inertia = 0;  ///< of the load about the joint, kg m^2

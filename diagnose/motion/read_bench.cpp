@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <optional>
 #include <plumbline/base/error.hpp>
 #include <set>
 
 #include "diagnose/bench/section.hpp"
+#include "diagnose/motion/bam_log.hpp"
 #include "diagnose/motion/log_look.hpp"
 #include "diagnose/motion/log_table.hpp"
 #include "support/files/text_file.hpp"
@@ -26,8 +28,10 @@ struct IndexRow {
   std::string file, place;
   const LogTable* table = nullptr;  ///< null where there is no index
   std::size_t row = 0;
+  std::shared_ptr<const BamLog> bam = {};  ///< a log that tells its rig itself
 
   [[nodiscard]] std::string entry(const std::string& column, const std::string& key) const {
+    if (bam && bam->rig.contains(column)) return bam->rig[column].dump();
     if (table == nullptr)
       throw Error(key, "the name of a column, '" + column + "', without logs.index", "a number");
     return table->entry(row, table->column(column, key));
@@ -86,7 +90,7 @@ struct Columns {
 MotionLog read_log(const std::filesystem::path& folder, const IndexRow& row, const Columns& columns,
                    double supply) {
   const std::filesystem::path file = folder / row.file;
-  const LogTable table(files::read_text(file), file.string());
+  const LogTable table = row.bam ? row.bam->entries : LogTable(files::read_text(file), file.string());
   MotionLog log;
   log.name = row.file;
   log.time = table.numbers(columns.t);
@@ -102,12 +106,22 @@ MotionLog read_log(const std::filesystem::path& folder, const IndexRow& row, con
   return log;
 }
 
+void require_inside(const std::filesystem::path& file, const std::string& place) {
+  const std::filesystem::path plain = file.lexically_normal();
+  if (plain.empty() || plain.is_absolute() || *plain.begin() == "..")
+    throw Error(place, file.string(), "a file in the folder of the experiment");
+}
+
 std::vector<IndexRow> rows_of(const std::filesystem::path& folder, const Section& logs,
                               std::optional<LogTable>& index) {
   std::vector<IndexRow> rows;
   if (!logs.has("index")) {
-    for (const std::string& file : logs.texts("files", "files of logs, or an index"))
+    for (const std::string& file : logs.texts("files", "files of logs, or an index")) {
       rows.push_back({file, logs.place("files")});
+      require_inside(file, logs.place("files"));
+      if (const std::filesystem::path path = folder / file; path.extension() == ".json")
+        rows.back().bam = std::make_shared<const BamLog>(bam_log(files::read_text(path), path.string()));
+    }
     return rows;
   }
   const std::filesystem::path file = folder / logs.text("index", "the file of a table, one row a log");
@@ -117,12 +131,6 @@ std::vector<IndexRow> rows_of(const std::filesystem::path& folder, const Section
   for (std::size_t i = 0; i < index->rows(); ++i)
     rows.push_back({index->entry(i, column), index->place(i), &*index, i});
   return rows;
-}
-
-void require_inside(const std::filesystem::path& file, const std::string& place) {
-  const std::filesystem::path plain = file.lexically_normal();
-  if (plain.empty() || plain.is_absolute() || *plain.begin() == "..")
-    throw Error(place, file.string(), "a file in the folder of the experiment");
 }
 
 /// The stated numbers of the drive, and those that are unknown.
@@ -204,6 +212,7 @@ Bench read_bench(const std::filesystem::path& folder) {
       throw Error(row.place, fmt::format("a gain of {:g}", log.gain), "a positive one, duty per rad");
     read_load(load, row, log);
     require_judgeable(log);
+    mend_spikes(log, bench.sigma);
     (held_out ? bench.held_out : bench.logs).push_back(std::move(log));
   }
   if (bench.logs.empty()) throw Error(logs.where() + ": logs", "no log to fit to", "one at least");

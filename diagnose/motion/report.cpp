@@ -95,6 +95,8 @@ std::string look_text(const LogsLook& look) {
       "The logs: {} with {} readings, every {:.4g} ms ({:.4g} to {:.4g}); position changes by {:.3g} rad at "
       "least\n",
       look.logs, look.readings, 1e3 * look.step, 1e3 * look.step_low, 1e3 * look.step_high, look.quantum);
+  if (look.spikes > 0)
+    text += fmt::format("  {} isolated readings are far from both neighbours and left out\n", look.spikes);
   if (look.off > 0) text += fmt::format("  the drive is off in {:.0f} % of them\n", 100 * look.off);
   if (look.saturated > 0)
     text += fmt::format("  the error asks for the whole duty in {:.1f} % of those with power\n",
@@ -139,6 +141,13 @@ nlohmann::ordered_json list_of(const std::vector<Entry>& entries) {
 
 }  // namespace
 
+std::string next_text(const Diagnosis& d) {
+  if (!d.next) return "\nWhat next?  No motion tells the explanations apart\n";
+  return fmt::format(
+      "\nWhat next?  {}, gain {:.3g} duty per rad: there the first two explanations are {:.2g} rad apart\n",
+      d.next->words, d.next->gain, d.next->apart);
+}
+
 std::string as_text(const Diagnosis& d) {
   std::string text = fmt::format("{}\n\n{}", d.name, verdict_text(d));
   if (!d.rest.empty()) text += fmt::format("  {}\n", d.rest);
@@ -170,12 +179,14 @@ nlohmann::ordered_json as_json(const Diagnosis& d) {
   for (const LogError& one : d.errors)
     json["errors"].push_back(
         {{"log", one.log}, {"held_out", one.held_out}, {"before", one.before}, {"after", one.after}});
+  if (d.next) json["next"] = {{"motion", d.next->words}, {"gain", d.next->gain}, {"apart", d.next->apart}};
   json["look"] = {{"logs", d.look.logs},
                   {"readings", d.look.readings},
                   {"step", {{"median", d.look.step}, {"low", d.look.step_low}, {"high", d.look.step_high}}},
                   {"quantum", d.look.quantum},
                   {"saturated", d.look.saturated},
-                  {"off", d.look.off}};
+                  {"off", d.look.off},
+                  {"spikes", d.look.spikes}};
   return json;
 }
 

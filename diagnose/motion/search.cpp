@@ -13,6 +13,8 @@ namespace {
 /// Hypotheses of each size beside which a further row is looked for, and the rows beside each of them whose
 /// forecasts are fitted: more costs time alone.
 constexpr std::size_t seeds = 4, fitted_beside = 7;
+/// Hypotheses that are fitted again with rows left out.
+constexpr std::size_t simplified = 3;
 
 bool more_evidence(const Hypothesis& a, const Hypothesis& b) {
   return a.log_evidence() > b.log_evidence();
@@ -70,20 +72,70 @@ class Searcher {
     }
     keep(std::move(level));
     std::sort(found_.hypotheses.begin(), found_.hypotheses.end(), more_evidence);
+    simplify();
     return std::move(found_);
   }
 
  private:
-  void keep(std::vector<Hypothesis> level) {
-    for (Hypothesis& h : level) found_.hypotheses.push_back(std::move(h));
-  }
-
   /// A candidate to be fitted.
   struct Task {
     Candidate candidate;
     Start start;
     double promise = 0;
   };
+
+  void keep(std::vector<Hypothesis> level) {
+    for (Hypothesis& h : level) found_.hypotheses.push_back(std::move(h));
+  }
+
+  /// Fits what explains most again, each row left out in turn, and so on down to the nominal model: from the
+  /// values of the richer cause the simpler one may be reached where from its own start it was not.
+  void simplify() {
+    std::vector<Hypothesis> richer(found_.hypotheses.begin(),
+                                   found_.hypotheses.begin() + static_cast<std::ptrdiff_t>(std::min(
+                                                                   simplified, found_.hypotheses.size())));
+    std::set<std::set<const Row*>> tried;
+    while (!richer.empty()) {
+      const Hypothesis from = std::move(richer.back());
+      richer.pop_back();
+      for (std::size_t row = 0; row < from.candidate.rows.size(); ++row) {
+        Task task = without(from, row);
+        if (!tried.insert(rows_of(task.candidate)).second) continue;
+        Hypothesis one = fitted(study_, *found_.likelihood, task.candidate, std::move(task.start));
+        if (!std::isfinite(one.log_evidence())) continue;
+        richer.push_back(one);
+        replace(std::move(one));
+      }
+    }
+    std::sort(found_.hypotheses.begin(), found_.hypotheses.end(), more_evidence);
+  }
+
+  Task without(const Hypothesis& from, std::size_t row) const {
+    Task task{from.candidate, {from.values, from.begins}};
+    std::size_t first = study_.unknowns();
+    for (std::size_t i = 0; i < row; ++i) first += from.candidate.rows[i]->parameters.size();
+    const auto begin = task.start.values.begin() + static_cast<std::ptrdiff_t>(first);
+    task.start.values.erase(begin,
+                            begin + static_cast<std::ptrdiff_t>(from.candidate.rows[row]->parameters.size()));
+    task.candidate.rows.erase(task.candidate.rows.begin() + static_cast<std::ptrdiff_t>(row));
+    return task;
+  }
+
+  /// In the place of the fit of the same rows, where it has more evidence.
+  void replace(Hypothesis one) {
+    if (one.candidate.rows.empty()) {
+      if (more_evidence(one, found_.nominal)) found_.nominal = std::move(one);
+      return;
+    }
+    const auto same = std::find_if(
+        found_.hypotheses.begin(), found_.hypotheses.end(),
+        [&](const Hypothesis& other) { return rows_of(other.candidate) == rows_of(one.candidate); });
+    if (same == found_.hypotheses.end()) {
+      found_.hypotheses.push_back(std::move(one));
+    } else if (more_evidence(one, *same)) {
+      *same = std::move(one);
+    }
+  }
 
   /// Each of these with one row more; most evidence first.
   std::vector<Hypothesis> extended(const std::vector<const Hypothesis*>& from,

@@ -105,5 +105,5 @@ def drawn(number, seed):
         for name in ("stall", "armature", "dry", "damping"):
             setattr(actual, name, getattr(actual, name) * log_between(g, 0.8, 1.25))
         actual.zero += g.normal(0, 0.015)
-    logging = {"rate": int(g.choice(RATES)), "quantum": 2 * math.pi / int(g.choice([4096, 4096, 16384])), "sigma": 2e-4}
+    logging = {"rate": int(g.choice(RATES)), "quantum": 2 * math.pi / int(g.choice([4096, 4096, 16384])), "sigma": 6e-4}
     return g, nominal, actual, str(kind), truth, unknown, logging, motions(g)

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import mujoco
 import numpy
 
-STEP = 2.5e-4
+STEP = 2e-4
 GRAVITY = 9.81
 # Friction that holds, as dry friction does: MuJoCo's own creeps.
 RIGID = 'solreffriction="0.001 1" solimpfriction="0.9999 0.9999 0.001 0.5 2"'

@@ -76,7 +76,8 @@ def main():
         counts["numbers unknown" if label["unknown"] else "numbers stated"][verdict] += 1
         if verdict not in ("named alone", "named in a class", "right (no gap)"):
             named = said and (said["verdict"], ["+".join(e["effect"] for e in one["effects"]) for one in said["causes"]])
-            lines.append(f"{path.name}: {' + '.join(label['causes']) or 'nothing'} ({label['rate']} Hz{', numbers unknown' if label['unknown'] else ''}); {verdict}: {named}")
+            known = ", numbers unknown" if label["unknown"] else ""
+            lines.append(f"{path.name}: {' + '.join(label['causes']) or 'nothing'} ({label['rate']} Hz{known}); {verdict}: {named}")
         print(path.name, label["causes"], verdict, flush=True)
     table = ["| | n | " + " | ".join(ANSWERS) + " |", "|---|---:|" + "---:|" * len(ANSWERS)]
     for title, count in counts.items():

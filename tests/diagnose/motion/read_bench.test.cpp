@@ -103,4 +103,35 @@ TEST_CASE("what cannot be a log is refused in one line") {
   CHECK(load.refused().find("an inertia of 0 kg m^2") != std::string::npos);
 }
 
+TEST_CASE("a log of BAM tells its rig itself") {
+  Folder one;
+  std::string entries;
+  for (int k = 0; k < 50; ++k)
+    entries += std::string(k == 0 ? "" : ",") + "{\"timestamp\": " + std::to_string(0.01 * k) +
+               ", \"position\": " + std::to_string(0.1 * std::sin(0.1 * k)) +
+               ", \"goal_position\": 0.1, \"torque_enable\": " + (k < 30 ? "true" : "false") + "}";
+  files::write_text(
+      one.folder.path() / "a.json",
+      "{\"kp\": 8, \"mass\": 0.5, \"length\": 0.2, \"arm_mass\": 0, \"entries\": [" + entries + "]}");
+  one.replace("a.csv", "a.json");
+  one.replace("gain = 2", "gain = \"kp\"\nduty_per_error = 0.25");
+  one.replace("mass = 0.5\nlength = 0.1", "mass = \"mass\"\nlength = \"length\"");
+  one.settings += "[columns]\nt = \"timestamp\"\ncommand = \"goal_position\"\npowered = \"torque_enable\"\n";
+  const Bench bench = one.read();
+  REQUIRE(bench.logs.size() == 1);
+  const MotionLog& log = bench.logs.front();
+  CHECK(log.gain == close_to(2));
+  CHECK(log.inertia == close_to(0.5 * 0.04));
+  CHECK(log.powered.front());
+  CHECK(!log.powered.back());
+}
+
+TEST_CASE("an isolated reading far from its neighbours is replaced, and counted") {
+  Folder spiked;
+  spiked.rows += "0.50,0.1,0.05\n0.51,0.1,0.90\n0.52,0.1,0.05\n";
+  const Bench bench = spiked.read();
+  CHECK(bench.logs.front().spikes == 1);
+  CHECK(bench.logs.front().position[51] == close_to(0.05));
+}
+
 }  // namespace plumbline::motion
