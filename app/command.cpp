@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <new>
@@ -11,6 +12,7 @@
 #include "app/arguments.hpp"
 #include "app/commit.hpp"
 #include "app/complaints.hpp"
+#include "support/files/nearest.hpp"
 #include "support/files/printable.hpp"
 
 namespace plumbline::app {
@@ -30,10 +32,35 @@ void require_text(int argc, char** argv) {
       throw Error("argument " + std::to_string(i), files::shown(argv[i]), "text in UTF-8");
 }
 
+/// A word in the place of a verb that is none.
+void require_verb(const CLI::App& command, int argc, char** argv) {
+  if (argc < 2 || *argv[1] == '-') return;
+  std::vector<std::string> verbs;
+  for (const CLI::App* verb : command.get_subcommands([](const CLI::App*) { return true; }))
+    verbs.push_back(verb->get_name());
+  if (std::find(verbs.begin(), verbs.end(), argv[1]) == verbs.end())
+    throw Error("command line", files::shown(argv[1]), files::expected_word(argv[1], verbs));
+}
+
+/// The option of the verb that is nearest to one that it does not have; or empty.
+std::string nearest_option(const CLI::ExtrasError& error, const CLI::App& command) {
+  const std::string said = error.what();
+  const std::size_t at = said.find("--");
+  if (at == std::string::npos) return "";
+  std::vector<std::string> options;
+  for (const CLI::App* verb : command.get_subcommands())
+    for (const CLI::Option* option : verb->get_options())
+      for (const std::string& name : option->get_lnames()) options.push_back("--" + name);
+  return files::nearest(said.substr(at, said.find_first_of(" =", at) - at), options);
+}
+
 /// The exception in flight, as one line that names the place, what was found and what was expected.
-std::string what_went_wrong() {
+std::string what_went_wrong(const CLI::App& command) {
   try {
     throw;
+  } catch (const CLI::ExtrasError& error) {
+    const std::string near = nearest_option(error, command);
+    return in_our_words(error) + (near.empty() ? "" : "; the nearest option is " + near);
   } catch (const CLI::ParseError& error) {
     return in_our_words(error);
   } catch (const std::filesystem::filesystem_error& error) {
@@ -72,6 +99,7 @@ int run(CLI::App& command, int argc, char** argv) {
   hold_standard_streams();
   try {
     require_text(argc, argv);
+    require_verb(command, argc, argv);
     command.parse(argc, argv);
     if (command.get_subcommands().empty()) std::cout << command.help();
     if (!std::cout.flush()) throw Error("standard output", "a failure while writing", "all written");
@@ -81,7 +109,7 @@ int run(CLI::App& command, int argc, char** argv) {
   } catch (const CLI::RuntimeError& status) {
     return status.get_exit_code();
   } catch (...) {
-    complain(what_went_wrong());
+    complain(what_went_wrong(command));
     return bad_input;
   }
 }

@@ -37,7 +37,7 @@ ComparedStates states_of(const ChangeOptions& options) {
   const std::vector<std::string> known = diagnose::states_in(options.after.folder);
   if (known.empty()) throw Error("--against", options.before, "a folder, or a state that [[run]] names");
   if (known.size() != 2)
-    throw Error("--against", fmt::format("{} states in {}", known.size(), options.after.folder),
+    throw Error("--against", fmt::format("{} states in {}", known.size(), options.after.folder.string()),
                 "two; --since compares more");
   states.before.state = options.before;
   states.after.state = known.front() == options.before ? known.back() : known.front();

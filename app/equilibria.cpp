@@ -236,30 +236,31 @@ nlohmann::ordered_json answer_json(const Answer& answer, const EquilibriaOptions
       {"equilibria", list},           {"undecided", answer.undecided}};
 }
 
-/// The certified census of a planar chain whose file says of other ends and loads.
+/// The certified census of a planar chain at a factor of its file's loads.
 void run_census(const EquilibriaOptions& options, Outputs& outputs, files::OutputFile* json) {
   if (!options.chain.structure) throw Error("--certify", "a chain in space", "a chain in the plane");
   const auto factor = proofs::parse_decimal(options.factor_text);
   const Progress progress("census", 0);
   const auto census = proofs::take_census(*options.chain.structure, *factor, options.turns);
-  const NamedModel& chain = *options.chain.other;
+  const NamedModel& chain = *options.chain.model;
   if (json) json->write(page::json_text(as_json(chain, options.factor, census), outputs.provenance()));
   outputs.commit();
   if (!json) fmt::print("{}", as_text(chain, options.factor, census));
   if (!census.complete()) throw CLI::RuntimeError(1);
 }
 
-/// Of a chain whose file says of other ends and loads, at a factor of these.
-void run_other(const EquilibriaOptions& options, Outputs& outputs, files::OutputFile* json) {
+/// At a factor of the file's loads.
+void run_factor(const EquilibriaOptions& options, Outputs& outputs, files::OutputFile* json) {
   if (!options.at.empty() || !options.place.empty() || !options.force.empty() || options.factor == 0)
-    throw Error(options.chain.path, "ends and loads of its own", "--factor F: its loads times F");
+    throw Error(options.chain.plain ? "--factor" : options.chain.path,
+                options.chain.plain ? "a force or a place beside it" : "ends and loads of its own",
+                "--factor F: its loads times F");
   if (!options.certificate.empty())
-    throw Error("--certificate", "a chain with ends and loads of its own",
-                "--certify alone: no file of such proofs");
+    throw Error("--certificate", "loads by a factor", "--certify alone: no file of such proofs");
   if (options.certify) return run_census(options, outputs, json);
   constexpr std::size_t starts = 2000;
   constexpr double half_turn = 3.1415926535897932;
-  const NamedModel& chain = *options.chain.other;
+  const NamedModel& chain = *options.chain.model;
   const Progress progress("equilibria", 0);
   const auto found =
       proofs::find_equilibria(chain.model, options.factor, starts, (1 + 2 * options.turns) * half_turn, 1);
@@ -275,10 +276,7 @@ void run(EquilibriaOptions options, const CLI::App& verb) {
                                                                                          options.certificate);
   options.certify = options.certify || certificate;
   options.chain.read();
-  if (options.chain.other) return run_other(options, outputs, json);
-  if (options.factor != 0)
-    throw Error("--factor", "a chain with the ends and loads of the paper",
-                "--at or --force, or loads in its file");
+  if (!options.chain.plain || options.factor != 0) return run_factor(options, outputs, json);
   const proofs::CensusTask task = task_of(options);
   const Answer answer = answer_of(options, task);
   if (json) json->write(page::json_text(answer_json(answer, options, task), outputs.provenance()));
@@ -309,7 +307,7 @@ void add_equilibria(CLI::App& app) {
       ->excludes(at)
       ->excludes(place);
   verb->add_option("--factor", options->factor_text,
-                   "Where the file says of other ends and loads: its loads times F")
+                   "Under the file's loads times F; where it says of none, under a compression of F")
       ->type_name("F")
       ->check(number())
       ->excludes(at)

@@ -35,24 +35,24 @@ void LoadedChain::add_to(CLI::App& verb) {
 }
 
 void LoadedChain::read() {
-  if (path.empty()) {
-    exact = statement::parse_plane_chain(table1_z, name).structure.chain;
-    return;
-  }
+  if (path.empty()) return take(statement::parse_plane_chain(table1_z, name), name);
   const bool piped = files::is_standard_input(path);
   if (!piped && !names_chain_file(path) && !std::filesystem::is_directory(path))
     throw Error(path, "a name that ends otherwise", "CHAIN.toml, or a model: .xml (MJCF), .urdf, .sdf");
   const std::string text = read_chain_text(path), source = files::source_name(path);
   name = piped ? "chain" : files::printable(std::filesystem::path(path).stem().string());
-  const statement::StatedChain read = statement::parse_chain(text, source);
+  take(statement::parse_chain(text, source), source);
+}
+
+void LoadedChain::take(const statement::StatedChain& read, const std::string& source) {
   const auto* plane = std::get_if<statement::PlaneChain>(&read);
+  plain = plane != nullptr && plane->plain;
   if (plane != nullptr) {
     exact = plane->structure.chain;
-    if (plane->plain) return;
     structure = plane->structure;
   }
   try {
-    other = std::visit([&](const auto& chain) { return model_of(name, chain); }, read);
+    model = std::visit([&](const auto& chain) { return model_of(name, chain); }, read);
   } catch (const Error& error) {
     throw Error(source + ": " + error.what());
   }

@@ -99,9 +99,9 @@ void add_new(CLI::App& app) {
       "An experiment's folder out of a model and tables of readings; every guess is said, with its reason");
   const auto options = std::make_shared<NewOptions>();
   verb->add_option("folder", options->folder, "The folder to make")->type_name("FOLDER")->required();
-  verb->add_option(
-          "tables", options->tables,
-          "Tables of readings, as the lab has them: text in columns, in any encoding, or .xlsx; a run each")
+  verb->add_option("tables", options->tables,
+                   "Tables of readings, as the lab has them: text in columns, in any encoding, JSON Lines or "
+                   ".xlsx; a run each")
       ->type_name("FILE")
       ->required();
   verb->add_option("--model", options->model, "The nominal model: .xml (MJCF), .urdf, .sdf or .toml")

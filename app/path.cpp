@@ -65,14 +65,16 @@ std::string certificate_of(const PathOptions& options, const proofs::JoinedBranc
          "\n";
 }
 
-/// The path of a chain whose file says of other ends and loads: as the factor of these grows.
-void run_other(const PathOptions& options, Outputs& outputs, files::OutputFile* csv,
-               files::OutputFile* json) {
+/// The path of a chain as the factor of its file's loads grows.
+void run_factor(const PathOptions& options, Outputs& outputs, files::OutputFile* csv,
+                files::OutputFile* json) {
   if (options.factor == 0)
     throw Error(options.chain.path, "ends and loads of its own",
                 "--factor F: its loads grow from 0 to F times");
+  if (options.certify && !options.chain.structure)
+    throw Error(options.chain.path, "a chain in space", "--certify for one in the plane");
   const proofs::StructureTask task{options.factor, std::max(options.step, 0.005), options.side};
-  const NamedModel& chain = *options.chain.other;
+  const NamedModel& chain = *options.chain.model;
   const Progress progress("path", 0);
   const proofs::StructurePath path = options.branches == "stable" ? proofs::follow_slowly(chain.model, task)
                                                                   : proofs::follow_all(chain.model, task);
@@ -102,17 +104,13 @@ void run(PathOptions options, const CLI::App& verb) {
                            *const certificate = outputs.open("--certificate", options.certificate);
   options.certify = options.certify || certificate;
   options.chain.read();
-  if (options.chain.other) {
+  if (!options.chain.plain || options.factor != 0) {
     if (svg || certificate || options.digits > 0 || !options.force.empty() || options.to != 0.5)
-      throw Error(options.chain.path, "ends and loads of its own",
+      throw Error(options.chain.plain ? "--factor" : options.chain.path,
+                  options.chain.plain ? "other options beside it" : "ends and loads of its own",
                   "--factor, --branches, --side, --step, --certify, --csv and --json alone");
-    if (options.certify && !options.chain.structure)
-      throw Error(options.chain.path, "a chain in space", "--certify for one in the plane");
-    return run_other(options, outputs, csv, json);
+    return run_factor(options, outputs, csv, json);
   }
-  if (options.factor != 0)
-    throw Error("--factor", "a chain with the ends and loads of the paper",
-                "--to or --force, or loads in its file");
   const proofs::PathTask task =
       proofs::path_task(options.chain.exact, load_of(options), options.step, options.side);
   const auto [report, located, certified] = follow(options, task);
@@ -155,10 +153,9 @@ void add_path(CLI::App& app) {
       ->check(number())
       ->excludes(to)
       ->excludes(dy);
-  verb->add_option(
-          "--factor", options->factor,
-          "Where the file says of other ends and loads: let its loads grow from 0 to F times what stands "
-          "there")
+  verb->add_option("--factor", options->factor,
+                   "Let the file's loads grow from 0 to F times what stands there; where it says of none, a "
+                   "compression from 0 to F")
       ->type_name("F")
       ->check(number())
       ->excludes(to)

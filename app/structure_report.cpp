@@ -24,6 +24,10 @@ const char* name_of(BentEnd end) {
       return "closed";
     case BentEnd::stuck:
       return "could not be followed further";
+    case BentEnd::loss:
+      return "loss of stability";
+    case BentEnd::flight:
+      return "loss of stability, and no stable equilibrium was reached beyond";
     default:
       return "as many points as are allowed";
   }

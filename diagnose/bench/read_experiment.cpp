@@ -1,7 +1,6 @@
 #include "diagnose/bench/read_experiment.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,6 +20,7 @@
 #include "diagnose/bench/read_poses.hpp"
 #include "diagnose/bench/read_samples.hpp"
 #include "diagnose/bench/sample_format.hpp"
+#include "diagnose/bench/states.hpp"
 #include "diagnose/bench/unmeasured.hpp"
 #include "diagnose/screening/physical.hpp"
 #include "support/files/printable.hpp"
@@ -272,18 +272,6 @@ Experiment read_arm_settings(const Section& root, const Source& source) {
   experiment.covariates = complete_covariates(experiment.runs, root.place("run"), {});
   count_from_first_reading(experiment.runs);
   return experiment;
-}
-
-/// Runs of a device before and after something changed are no one experiment.
-void require_one_state(const Section& root) {
-  std::set<std::string> states;
-  for (const Section& run : root.has("run") ? root.tables("run") : std::vector<Section>()) {
-    states.insert(run.has("state") ? run.name("state", "a name") : "");
-    if (states.size() > 1)
-      throw Error(run.place("state"),
-                  fmt::format("runs of the states \"{}\"", fmt::join(states, "\" and \"")),
-                  "runs of one state; --against STATE and --since compare several");
-  }
 }
 
 /// All settings, before any plausibility check.

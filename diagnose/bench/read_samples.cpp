@@ -167,7 +167,8 @@ bool all_follow(const std::vector<SamplePart>& parts, const std::vector<ColumnPl
 void require_order(const Joined& part, std::size_t row, const Reading& now, const Reading& before) {
   if (now.t >= before.t) return;
   throw Error(part.first().where(row) + ", t", part.first().written_time(row),
-              row > 0 ? "a time not before the last reading's, " + part.first().written_time(row - 1)
+              row > 0 ? "a time not before the last reading's, " + part.first().written_time(row - 1) +
+                            "; where the table goes back in time: its rows turned round"
                       : "a time not before the last one of the part before");
 }
 

@@ -43,12 +43,21 @@ void drop_trailing(std::vector<std::string>& fields, std::size_t columns) {
   while (fields.size() > columns && fields.back().empty()) fields.pop_back();
 }
 
+bool is_number(const std::string& field) {
+  return !field.empty() && field.find_first_not_of("0123456789.,+-eE ") == std::string::npos;
+}
+
 /// A hint for a file whose line has more fields than its header.
 std::string how_to_read(const SampleTable& table, const files::CsvRow& uneven, const SampleFormat& format) {
   if (const std::string other = other_delimiter(table, format); !other.empty()) return other;
-  if (!format.header || uneven.fields.size() < table.header.size()) return "";
-  return "; if the header is line " + std::to_string(uneven.line) +
-         ": csv.skip_lines = " + std::to_string(uneven.line - 1);
+  const std::size_t columns = table.header.size(), fields = uneven.fields.size();
+  if (!format.header || fields < columns) return "";
+  if (std::none_of(uneven.fields.begin(), uneven.fields.end(), is_number))
+    return "; if the header is line " + std::to_string(uneven.line) +
+           ": csv.skip_lines = " + std::to_string(uneven.line - 1);
+  if (format.delimiter == ',' && fields + 1 >= 2 * columns && columns > 1)
+    return "; where commas are decimal marks: another mark between the columns";
+  return "; a name for every column in line " + std::to_string(table.header_line);
 }
 
 /// Lines as columns: row k has field k of every line.

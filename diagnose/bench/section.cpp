@@ -7,6 +7,7 @@
 #include <plumbline/base/error.hpp>
 #include <sstream>
 
+#include "support/files/nearest.hpp"
 #include "support/files/printable.hpp"
 
 namespace plumbline::diagnose {
@@ -50,9 +51,7 @@ void Section::allow_only(const std::set<std::string>& keys, const std::set<std::
   for (const auto& [key, value] : *table_) {
     const std::string name(key.str());
     if (keys.contains(name) || synonyms.contains(name)) continue;
-    std::string expected = "one of";
-    for (const std::string& known : keys) expected += " " + known;
-    throw Error(place(name), "an unknown key", expected);
+    throw Error(place(name), "an unknown key", files::expected_word(name, {keys.begin(), keys.end()}));
   }
 }
 

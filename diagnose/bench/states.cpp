@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <plumbline/base/error.hpp>
+#include <set>
 
 #include "support/files/text_file.hpp"
 
@@ -46,6 +47,17 @@ toml::table settings_of(const std::filesystem::path& folder, const std::string& 
   for (std::size_t r = runs.size(); r-- > 0;)
     if (state_of(runs[r]) != state) runs.erase(runs.begin() + static_cast<std::ptrdiff_t>(r));
   return settings;
+}
+
+void require_one_state(const Section& root) {
+  std::set<std::string> states;
+  for (const Section& run : root.has("run") ? root.tables("run") : std::vector<Section>()) {
+    states.insert(run.has("state") ? run.name("state", "a name") : "");
+    if (states.size() > 1)
+      throw Error(run.place("state"),
+                  fmt::format("runs of the states \"{}\"", fmt::join(states, "\" and \"")),
+                  "runs of one state; --against STATE and --since compare several");
+  }
 }
 
 }  // namespace plumbline::diagnose

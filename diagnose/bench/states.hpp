@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "support/files/toml_file.hpp"
+#include "diagnose/bench/section.hpp"
 
 namespace plumbline::diagnose {
 
@@ -16,5 +16,9 @@ std::vector<std::string> states_in(const std::filesystem::path& folder);
 /// The settings of experiment.toml with the runs of one state alone.
 /// \throws Error where no run has the state
 toml::table settings_of(const std::filesystem::path& folder, const std::string& state);
+
+/// Runs of a device before and after something changed are no one experiment.
+/// \throws Error where runs name several states
+void require_one_state(const Section& root);
 
 }  // namespace plumbline::diagnose

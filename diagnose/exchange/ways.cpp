@@ -12,8 +12,8 @@ constexpr Way springref{true, "as the angles at which the springs are at ease"};
 constexpr Way rest_shape{true,
                          "as the angles at which the springs are at ease, in the rest shape of the file"};
 constexpr Way body_places{true, "as the places of the bodies", true};
-constexpr Way scaled_masses{true, "as masses and gravity", true};
 constexpr Way masses{true, "as masses and gravity", true, true};
+constexpr Way scaled_masses{true, "as masses and gravity", true};
 constexpr Way payload{true, "as masses and gravity", false, true};
 constexpr Way base_slides{true, "as slides on springs under the base"};
 constexpr Way base_slide{true, "as a slide on a spring under the base, which answers the same"};
@@ -143,7 +143,7 @@ Way without_coupling(Format format, std::string_view effect) {
 
 bool adds_weight(std::string_view effect) {
   const auto found = everywhere().find(effect.substr(0, effect.find('(')));
-  return found != everywhere().end() && found->second.adds_weight;
+  return found != everywhere().end() && found->second.weighs;
 }
 
 Way way_of(Format format, const diagnose::NominalEffect& effect) {

@@ -15,7 +15,7 @@ struct Way {
   /// Whether the format has a word of its own for what changes, which is read as such; else the file has the
   /// row of the catalogue beside the elements that act it out.
   bool in_place = false;
-  bool adds_weight = false;  ///< what is written hangs on links that weighed nothing before
+  bool weighs = false;  ///< adds what weighs, so that the file has gravity
 };
 
 /// For every row of the catalogue.

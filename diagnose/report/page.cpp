@@ -212,6 +212,8 @@ void add_where(Json& view, const Json& report, const Explained& explained) {
   const Where& where = explained.diagnosis.where;
   for (const char* list : {"channels", "runs", "load_path", "joints"})
     add_bars(view["where"][list], report["where"][list], "share");
+  for (std::size_t i = 0; i < where.joints.size() && !explained.diagnosis.joints.empty(); ++i)
+    view["where"]["joints"][i]["named"] = explained.diagnosis.joints[where.joints[i].joint - 1];
   view["where"]["has_path"] = !where.load_path.empty();
   view["joint_evidence"] = joint_evidence_words(where.joint_evidence);
   view["most"] = {
@@ -267,6 +269,7 @@ std::string as_html(const Study& study, const Diagnosis& diagnosis) {
     view["shrink"]["model"] = tested_model(diagnosis);
     view["shrink"]["heldout_names"] = joined(diagnosis.shrink->heldout, ", ", ", ");
   }
+  view["arm"] = explained.experiment.arm != nullptr;
   view["planar"] = explained.experiment.alone == Alone::no && !explained.experiment.arm;
   view["torque_unit"] = std::string(diagnosis.cause.torque_unit);
   view["proposals"] = {{"any", !diagnosis.proposals.empty()}};

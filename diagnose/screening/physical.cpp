@@ -11,6 +11,7 @@
 #include <plumbline/chain/kinematics.hpp>
 
 #include "diagnose/bench/conversion.hpp"
+#include "diagnose/bench/end_kind.hpp"
 #include "diagnose/rig/history.hpp"
 
 namespace plumbline::diagnose {
@@ -112,13 +113,23 @@ void require_geometry(const Experiment& experiment, const Run& run, const Reach<
                 "joint angles of this chain, relative and in radians" + as_if(experiment, run));
 }
 
+/// A channel that answers is imposed by the other control, and then needs no noise.
+std::string other_control(const Run& run, const Channel& channel) {
+  const std::vector<Channel> answering = run.answering();
+  if (run.commands_joints() || std::find(answering.begin(), answering.end(), channel) == answering.end())
+    return "";
+  const EndKind& end = end_kind(run.alone);
+  const std::string_view other = run.holds_end_point() ? end.by_load : end.by_place;
+  return "; where the rig imposes it: control = \"" + std::string(other) + "\"";
+}
+
 void require_noise(const Run& run, const Noise& noise) {
   for (const Channel& channel : run.measured()) {
     const bool read = std::any_of(run.readings.begin(), run.readings.end(),
                                   [&](const Reading& r) { return !std::isnan(channel.of(r)); });
     if (!read || channel.sigma(noise) > 0) continue;
     throw Error("noise." + std::string(channel.kind().noise_key), "0, or nothing",
-                "a positive figure: run \"" + run.id + "\" measures it");
+                "a positive figure: run \"" + run.id + "\" measures it" + other_control(run, channel));
   }
 }
 

@@ -11,6 +11,7 @@ using Equilibrium = BentPoint<double>;
 constexpr double finest = 1e-5;      ///< a longer segment is halved where the factor may turn
 constexpr double on_curve = 1e-6;    ///< farther from the curve a point is none of it
 constexpr double same_place = 1e-9;  ///< nearer to each other points are one
+constexpr std::size_t most_tubes = 4000;
 
 /// A tube and which way the factor goes in it.
 struct StructureSegment {
@@ -39,13 +40,14 @@ class StructureProver {
   std::optional<Equilibrium> between(const Equilibrium& a, const Equilibrium& b);
   std::vector<std::vector<Equilibrium>> pieces(const BentBranch<double>& branch, double gap);
   std::optional<StructureSegment> segment(const Equilibrium& a, const Equilibrium& b);
+  int way_at(const Vector<Span>& point, const Vector<Span>& normal, const Tube& tube);
   bool join(const Equilibrium& at, const StructureSegment& before, const StructureSegment& after);
   bool account(const StructureSegment& segment, double factor);
   bool settle(int way, double factor);
   bool prove(std::vector<Equilibrium> points);
-  bool fail(const Span& factor, const char* why) {
+  bool fail(const Span& factor, std::string why) {
     result_.failed_at = factor;
-    result_.failure = why;
+    result_.failure = std::move(why);
     return false;
   }
 
@@ -54,6 +56,7 @@ class StructureProver {
   StructureEquations equations_;
   double last_;
   StructureCertificate result_;
+  std::size_t tubes_ = 0;  ///< that were tried
 
   // the piece at hand
   int way_ = 0;
@@ -137,11 +140,21 @@ std::optional<StructureSegment> StructureProver::segment(const Equilibrium& a, c
     const Vector<Span> right = equations_.second(everywhere, first, first);
     found.bend = sign(solve(*tube, -product(tube->inverse, right))(size - 1));
     if (found.bend == 0) return std::nullopt;
+    // u' of the factor goes one way: with one sign at both ends it has that sign all along
+    const int start = way_at(from, found.normal, *tube), end = way_at(to, found.normal, *tube);
+    if (start == end && start != 0) found.way = start, found.bend = 0;
   } else {
     found.bend = 0;
   }
   found.tube = std::move(*tube);
   return found;
+}
+
+/// Which way the factor goes where a tube's curve passes the plane through a point; 0 where it is open.
+int StructureProver::way_at(const Vector<Span>& point, const Vector<Span>& normal, const Tube& tube) {
+  const auto box = tube_at(equations_, point, normal);
+  if (!box || (box->image.array() > tube.radius.array()).any()) return 0;
+  return sign(tangent(*box)(equations_.unknowns() - 1));
 }
 
 /// Whether both segments are the same curve at a point, which is near it; what is known of the point.
@@ -209,6 +222,9 @@ bool StructureProver::prove(std::vector<Equilibrium> points) {
       points.pop_back();
       continue;
     }
+    if (++tubes_ > most_tubes)
+      return fail(here.factor,
+                  "no end after " + std::to_string(most_tubes) + " tubes: the steps are too short");
     auto next = segment(here, there);
     const bool shorter = !next || (next->way == 0 && whole > finest);
     if (!shorter && join(here, last ? *last : *next, *next)) {

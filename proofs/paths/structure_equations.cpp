@@ -1,5 +1,7 @@
 #include "proofs/paths/structure_equations.hpp"
 
+#include <plumbline/structure/implied_holds.hpp>
+
 #include "proofs/exact/inertia.hpp"
 
 namespace plumbline::proofs {
@@ -13,8 +15,8 @@ Span enclosed_span(const Rational& x) {
 
 StructureEquations::StructureEquations(const Structure<Rational>& structure)
     : first_(structure.base.turn.is_held() ? 1 : 0),
-      turn_(structure.end_point.turn.hold),
-      turn_stiffness_(enclosed_span(structure.end_point.turn.stiffness)),
+      turn_(end_turn(structure).hold),
+      turn_stiffness_(enclosed_span(end_turn(structure).stiffness)),
       moment_(enclosed_span(structure.moment)) {
   structure.require_sound();
   if (structure.follower()) throw Error("load", "a follower force, which has no energy", "dead loads");
@@ -26,9 +28,11 @@ StructureEquations::StructureEquations(const Structure<Rational>& structure)
     rest_.push_back(enclosed_span(structure.chain.rest()[i]));
     slack_.push_back(direction += rest_.back());
   }
-  for (std::size_t node = 1; node < n; ++node) add_spring(node, 1, structure.across_at(node));
+  const std::vector<bool> implied = implied_across(structure);
+  for (std::size_t node = 1; node <= n; ++node) {
+    if (!implied[node]) add_spring(node, 1, structure.across_at(node));
+  }
   add_spring(n, 0, structure.end_point.along);
-  add_spring(n, 1, structure.end_point.across);
   for (Spring& spring : springs_) {
     for (std::size_t i = 0; i < spring.node; ++i) {
       const auto [c, s] = circle(slack_[i]);

@@ -8,7 +8,11 @@ namespace {
 
 BentPoint<double> unloaded(BentTracer<double>& tracer, const BentStructure<double>& model) {
   const auto found = tracer.solver().at_factor(model.rest(), 0, Vector<double>::Constant(model.held(), 0.0));
-  return found && found->negative_directions == 0 ? *found : tracer.solver().settle(model.rest(), 0);
+  if (found && found->negative_directions == 0) return *found;
+  auto rest = tracer.solver().settle(model.rest(), 0);
+  if (!rest)
+    throw Error("unloaded structure", "no rest within 5000 steps of its flow", "a stable equilibrium");
+  return *std::move(rest);
 }
 
 BentLimits<double> limits_of(const StructureTask& task) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <plumbline/base/error.hpp>
 
+#include "support/files/nearest.hpp"
 #include "support/files/printable.hpp"
 
 namespace plumbline::files {
@@ -74,15 +75,13 @@ std::string place(const toml::node& node, const std::string& source) {
 
 void refuse_unknown_keys(const toml::table& table, const std::vector<std::string_view>& known,
                          const std::string& source, const std::vector<std::string_view>& synonyms) {
-  std::string expected;
   const auto among = [](const std::vector<std::string_view>& keys, const toml::key& key) {
     return std::find(keys.begin(), keys.end(), key.str()) != keys.end();
   };
-  for (const std::string_view key : known) expected += (expected.empty() ? "" : ", ") + std::string(key);
   for (const auto& [key, value] : table) {
-    if (!among(known, key) && !among(synonyms, key)) {
-      throw Error(place_of(key.source(), source), "the unknown key " + shown(key.str()), "only " + expected);
-    }
+    if (!among(known, key) && !among(synonyms, key))
+      throw Error(place_of(key.source(), source), "the unknown key " + shown(key.str()),
+                  expected_word(key.str(), {known.begin(), known.end()}));
   }
 }
 

@@ -22,7 +22,9 @@ TEST_CASE("a wrong command line is bad input, and what is wrong of it is said") 
   const struct {
     const char *arguments, *said;
   } cases[] = {
-      {"nonsense", "command line: found nonsense, expected what --help lists"},
+      {"nonsense", "command line: found nonsense, expected one of "},
+      {"diagnos fb", "command line: found diagnos, expected diagnose, or one of "},
+      {"critical --digts 20", "the nearest option is --digits"},
       {"critical --nonsense", "command line: found --nonsense, expected what --help lists"},
       {"verify folder extra", "command line: found extra, expected what --help lists"},
       {"verify nosuch", "nosuch: found no paper.toml, expected the folder of a paper"},
@@ -56,9 +58,9 @@ TEST_CASE("the bad chain files are refused in one line that says where, what and
       {"lengths = [1, 1]\nstiffness = [1]", "stiffness", "1 values", "one per link, 2"},
       {"lengths = [1, 1]\nstiffness = [1, 1]\nrest = [0]", "rest", "1 values", "one per link, 2"},
       {"lengths = [1, 1]\nstiffness = [1, 1]\nmass = [1, 1]", "bad.toml:3", "unknown key mass",
-       "only lengths"},
+       "one of lengths"},
       {"lengths = [1,\n1,\n # 1, 1\n 1]\nstiffness = [1, 1\n, 1]\nmass = 1", "bad.toml:7", "unknown key mass",
-       "only lengths"},
+       "one of lengths"},
       {"lengths = [1, 1,\n# 1, 1\n1, -1]\nstiffness = [1, 1, 1]", "bad.toml:1: lengths, entry 4", "-1",
        "a positive length"},
       {"lengths = [1,, 1]\nstiffness = [1, 1]", "bad.toml:1", "not TOML", "key = value"},

@@ -137,5 +137,14 @@ TEST_CASE("path and equilibria follow other ends and loads, and say what they do
   CHECK_FALSE(contains(proved.out, "NOT proved"));
   check_refused(here.plumbline("equilibria c.toml --at 0.1,0"));
   here.write("plain.toml", "lengths = [1, 1]\nstiffness = [1, 1]\n");
-  check_refused(here.plumbline("path plain.toml --factor 1"));
+  // with the end point guided 5 q^2 / 2 of the springs stands against F q^2: F = 5 / 2
+  const auto plain = nlohmann::json::parse(here.plumbline("path plain.toml --factor 4 --json").out);
+  CHECK(plain["branches"][0]["end"] == "loss of stability");
+  CHECK(plain["branches"][0]["events"].back()["factor"].get<double>() == doctest::Approx(2.5).epsilon(1e-9));
+  CHECK(
+      contains(here.plumbline("equilibria plain.toml --factor 4 --certify").out, "certified: these are all"));
+  check_refused(here.plumbline("path plain.toml --factor 4 --force -1,0"));
+  here.write("space.toml",
+             "lengths = [1]\njoints = [{ axes = [[0, 0, 1]], stiffness = [1] }]\nend_point = \"free\"\n");
+  check_refused(here.plumbline("path space.toml --factor 1 --certify"));
 }

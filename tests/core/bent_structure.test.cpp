@@ -117,7 +117,7 @@ TEST_CASE("a single leaning link carries k q / (L sin q)") {
   Structure<double> structure = pushed_cantilever(1);
   const auto model = bent_structure(structure);
   BentSolver<double> solver(model);
-  const auto rest = solver.settle(Vector<double>::Constant(1, 0.1), 1.25);
+  const auto rest = solver.settle(Vector<double>::Constant(1, 0.1), 1.25).value();
   CHECK(rest.x(0) / std::sin(rest.x(0)) == doctest::Approx(1.25).epsilon(1e-12));
 }
 
@@ -146,4 +146,39 @@ TEST_CASE("an unstable start of slow loading is refused") {
   const auto start = tracer.solver().at_factor(model.rest(), 1, Vector<double>(0));
   REQUIRE(start);
   CHECK_THROWS_AS(load_slowly(tracer, *start, limits), Error);
+}
+
+TEST_CASE("a passive link under a moment finds no rest, and its path ends there") {
+  // the bed turns the last link back with c L^2 sin q cos q = 0.5 at most
+  Structure<double> structure(Chain<double>({1, 1}, {0, 0}));
+  structure.base.turn = Restraint<double>::held();
+  structure.end_point = {{}, Restraint<double>::sprung(1), {}};
+  structure.moment = 1;
+  const auto model = bent_structure(structure);
+  const BentLimits<double> limits{0, 1};
+  BentTracer<double> tracer(model, limits);
+  const auto history =
+      load_slowly(tracer, tracer.solver().at_factor(model.rest(), 0, Vector<double>()).value(), limits);
+  REQUIRE(history.size() == 1);
+  CHECK(history[0].end == BentEnd::flight);
+  // nearer to the fold than a step: the factor there is short of it by the square of the step, 2 / 20^2
+  CHECK(history[0].points.back().factor == doctest::Approx(0.5).epsilon(0.005));
+  CHECK_FALSE(tracer.solver().settle(model.rest(), 0.6).has_value());
+}
+
+TEST_CASE("what a clamped link holds already is held once") {
+  Structure<double> structure(Chain<double>({1, 2, 1}, {0, 1, 1}));
+  structure.base.turn = Restraint<double>::held();
+  structure.end_point = clamped<double>();
+  structure.across = {Restraint<double>::held(), Restraint<double>::held()};
+  // joint 2 on the first link; the end point on the last, whose near joint is held; its turning stays
+  CHECK(implied_across(structure) == std::vector<bool>{false, true, false, true});
+  CHECK(bent_structure(structure).held() == 2);
+  structure.base.across = {};  // the base slides: joint 2 holds it
+  CHECK(implied_across(structure) == std::vector<bool>{false, false, false, true});
+  Structure<double> rod(Chain<double>({1}, {0}));
+  rod.base.turn = Restraint<double>::held();
+  rod.base.along = {};
+  rod.end_point = {Restraint<double>::sprung(1), Restraint<double>::held(), Restraint<double>::held()};
+  CHECK(bent_structure(rod).held() == 0);
 }

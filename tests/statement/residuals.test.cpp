@@ -106,7 +106,7 @@ TEST_CASE("the energy of an equilibrium falls with the factor by what the loads 
   const auto structure = from_rational<double>(exact);
   const auto model = bent_structure(structure);
   BentSolver<double> solver(model);
-  BentPoint<double> point = solver.settle(model.rest(), 0);
+  BentPoint<double> point = solver.settle(model.rest(), 0).value();
   // dV = -(work of a unit of the factor) dF along equilibria; Simpson's rule errs by h^4 / 180 of the fourth
   // derivative, here below 1e-9
   constexpr int steps = 200;

@@ -27,6 +27,8 @@ enum class BentEnd {
   factor,  ///< the factor leaves the limits
   closed,  ///< the branch has come back to its first point
   stuck,   ///< no step short enough converges
+  loss,    ///< of stability, and the structure went on elsewhere
+  flight,  ///< of stability, and no rest was reached beyond
   points   ///< as many points as the limits allow
 };
 
@@ -188,7 +190,7 @@ class BentTracer {
 
 /// What a slowly loaded structure does: it follows its stable branch from a point on; where stability ends it
 /// leaves a bifurcation to the given side, or jumps, to where the energy flows. \throws Error where the start
-/// is unstable or no equilibrium is reached
+/// is unstable
 template <Floating Real>
 std::vector<BentBranch<Real>> load_slowly(BentTracer<Real>& tracer, BentPoint<Real> start,
                                           const BentLimits<Real>& limits, int side = 1) {
@@ -202,6 +204,7 @@ std::vector<BentBranch<Real>> load_slowly(BentTracer<Real>& tracer, BentPoint<Re
     const bool lost = end < branch.points.size();
     branch.points.resize(end);
     std::erase_if(branch.events, [end](const auto& event) { return event.before > end; });
+    if (lost) branch.end = BentEnd::loss;
     history.push_back(branch);
     if (!lost) return history;
     BentPoint<Real> last = branch.events.empty() ? branch.points.back() : branch.events.back().point;
@@ -211,7 +214,12 @@ std::vector<BentBranch<Real>> load_slowly(BentTracer<Real>& tracer, BentPoint<Re
     if (first != way.end() && (*first < Real(0)) != (side < 0)) way = -way;
     const Real factor = last.factor + nudge * nudge * limits.to;
     if (factor > limits.to) return history;
-    start = tracer.solver().settle(last.x + nudge * way, factor);
+    auto rest = tracer.solver().settle(last.x + nudge * way, factor);
+    if (!rest) {
+      history.back().end = BentEnd::flight;
+      return history;
+    }
+    start = *std::move(rest);
   }
   throw Error("slow loading", "64 jumps", "fewer");
 }

@@ -2,9 +2,10 @@
 /// \file
 /// Equilibria of a bent structure at a factor of its loads: by Newton's method, and where the energy flows.
 ///
-/// What holds the structure may hold the same motion twice, as a support beside a clamp does. So the rank of
-/// the constraints' gradients comes first: those that the others imply take no part in the equations and are
-/// only asked to hold, and the negative directions are those of the Hessian among the motions that are left.
+/// What a support beside a clamp holds twice is left out exactly (implied_holds.hpp). At a single shape, and
+/// for axes in space, others may depend on each other still. So the rank of the constraints' gradients comes
+/// first: those that the others imply take no part in the equations and are only asked to hold, and the
+/// negative directions are those of the Hessian among the motions that are left.
 ///
 /// \code{.cpp}
 /// // An upright cantilever of two links under more than its critical load 0.38 k / L leans to one side.
@@ -16,7 +17,7 @@
 /// Vector<double> leaning(2);
 /// leaning << 0.1, 0.1;
 /// const auto rest = solver.settle(leaning, 0.5);
-/// assert(rest.negative_directions == 0 && rest.x(0) > 0.5);
+/// assert(rest && rest->negative_directions == 0 && rest->x(0) > 0.5);
 /// \endcode
 
 #include <algorithm>
@@ -122,8 +123,8 @@ class BentSolver {
   }
 
   /// The stable equilibrium at a factor that the structure flows to from a shape, with equal dampers at all
-  /// joints. \throws Error where none is reached
-  BentPoint<Real> settle(Vector<Real> x, const Real& factor) {
+  /// joints. Nothing where none is reached in 5000 steps: a passive link under a moment turns for ever.
+  std::optional<BentPoint<Real>> settle(Vector<Real> x, const Real& factor) {
     const Real longest = Real(1) / Real(8);
     Vector<Real> multiplier = Vector<Real>::Constant(model_->held(), Real(0));
     Real damping(-1);
@@ -152,10 +153,10 @@ class BentSolver {
       if (damping < stiffest / Real(1000)) {
         const auto rest = at_factor(x, factor, multiplier);
         if (rest && rest->negative_directions == 0 && (rest->x - x).cwiseAbs().maxCoeff() < longest)
-          return *rest;
+          return rest;
       }
     }
-    throw Error("flow", "no stable equilibrium within 5000 steps", "a structure that comes to rest");
+    return std::nullopt;
   }
 
   /// The direction in which the equations are most nearly singular at fixed factor: unknowns of length one,

@@ -10,6 +10,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 #include <plumbline/space/space_structure.hpp>
+#include <plumbline/structure/implied_holds.hpp>
 
 namespace plumbline {
 
@@ -361,19 +362,17 @@ BentStructure<Real> bent_structure(const Structure<Real>& structure) {
     joints.push_back(
         {{{{Real(0), Real(0), Real(1)}, structure.chain.stiffness()[i], structure.chain.rest()[i]}}});
   SpaceSetting<Real> setting;
-  const auto add = [&](auto& list, std::size_t node, int coordinate, const Restraint<Real>& restraint) {
-    list.push_back({node, coordinate, restraint});
-  };
-  if (!structure.base.along.is_held()) add(setting.slides, 0, 0, structure.base.along);
-  if (!structure.base.across.is_held()) add(setting.slides, 0, 1, structure.base.across);
-  for (std::size_t node = 1; node < n; ++node) {
-    if (!structure.across_at(node).is_free()) add(setting.holds, node, 1, structure.across_at(node));
+  if (!structure.base.along.is_held()) setting.slides.push_back({0, 0, structure.base.along});
+  if (!structure.base.across.is_held()) setting.slides.push_back({0, 1, structure.base.across});
+  const std::vector<bool> implied = implied_across(structure);
+  for (std::size_t node = 1; node <= n; ++node) {
+    const Restraint<Real> across = structure.across_at(node);
+    if (!across.is_free() && !implied[node]) setting.holds.push_back({node, 1, across});
   }
-  if (!structure.end_point.along.is_free()) add(setting.holds, n, 0, structure.end_point.along);
-  if (!structure.end_point.across.is_free()) add(setting.holds, n, 1, structure.end_point.across);
+  if (!structure.end_point.along.is_free()) setting.holds.push_back({n, 0, structure.end_point.along});
   for (const Load<Real>& load : structure.loads)
     setting.forces.push_back({load.node, {load.force.x, load.force.y, Real(0)}, load.multiplied});
-  setting.turn = structure.end_point.turn;
+  setting.turn = end_turn(structure);
   setting.moment = structure.moment;
   setting.base_clamped = structure.base.turn.is_held();
   return BentStructure<Real>(SpaceChain<Real>(structure.chain.length(), std::move(joints)),
@@ -388,11 +387,12 @@ BentStructure<Real> bent_structure(const SpaceStructure<Real>& structure) {
     throw Error("loads", "a torque, of which the critical value alone is computed", "forces");
   const std::size_t n = structure.chain.size();
   SpaceSetting<Real> setting;
+  const std::vector<bool> implied = implied_across(structure, true, structure.base == SpaceBase::clamped,
+                                                   structure.end_point.turn.is_held());
   for (std::size_t node = 1; node <= n; ++node) {
     const Restraint<Real> across = structure.across_at(node);
-    for (const int coordinate : {1, 2}) {
-      if (!across.is_free()) setting.holds.push_back({node, coordinate, across});
-    }
+    if (across.is_free() || implied[node]) continue;
+    for (const int coordinate : {1, 2}) setting.holds.push_back({node, coordinate, across});
   }
   if (structure.end_point.turn.is_held()) setting.directions = {1, 2};
   for (const SpaceForce<Real>& load : structure.loads)

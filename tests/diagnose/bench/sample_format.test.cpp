@@ -199,7 +199,12 @@ TEST_CASE("a sample table: byte order mark, trailing delimiters, equal lengths o
   CHECK(fault("x,y\n", plain) == "T: found a header alone, expected at least one reading");
   CHECK(fault("x,y\n1,2\n3\n", plain) == "T:3: found 1 fields, expected 2, as in the header");
   CHECK(fault("made by\n1,2\n", plain) ==
+        "T:2: found 2 fields, expected 1, as in the header; a name for every column in line 1");
+  CHECK(fault("made by\nx,y\n1,2\n", plain) ==
         "T:2: found 2 fields, expected 1, as in the header; if the header is line 2: csv.skip_lines = 1");
+  CHECK(fault("x,y\n0,45,0,02\n", plain) ==
+        "T:2: found 4 fields, expected 2, as in the header; where commas are decimal marks: another mark "
+        "between the columns");
   // as many delimiters of another kind as would make more columns
   CHECK(fault("a;b;c\n1,2\n", plain) ==
         "T:2: found 2 fields, expected 1, as in the header; csv.delimiter = \";\" would read more columns "

@@ -120,7 +120,8 @@ TEST_CASE("measured channels have a noise above their rounding") {
   CHECK(refused(experiment) == "");
   experiment.noise[Channel::Name::Fy] = 0;
   CHECK(refused(experiment) ==
-        "noise.Fy: found 0, or nothing, expected a positive figure: run \"press-1\" measures it");
+        "noise.Fy: found 0, or nothing, expected a positive figure: run \"press-1\" measures it; where the "
+        "rig imposes it: control = \"force\"");
   experiment.noise[Channel::Name::Fy] = 0.01;
   experiment.noise[Channel::Name::x] = 0;  // commanded
   CHECK(refused(experiment) == "");
