@@ -199,7 +199,7 @@ struct Rewriting {
   std::function<void(Experiment&)> apply;
 };
 
-Rewriting declared_noise(double factor) {
+Rewriting noise_declared_times(double factor) {
   return {"noise declared " + std::to_string(factor) + " times as large", [factor](Experiment& experiment) {
             experiment.noise = {1e-4 * factor, 1e-4 * factor, 0.01 * factor, 0.01 * factor, 1e-3 * factor};
           }};
@@ -245,10 +245,10 @@ TEST_CASE("no way of writing the readings makes an answer surely other" * doctes
   const std::vector<Rewriting> all{{"without a clock", without_clock},
                                    {"every run in two", every_run_in_two},
                                    {"every reading twice", every_reading_twice},
-                                   declared_noise(0.05),
-                                   declared_noise(0.3),
-                                   declared_noise(3),
-                                   declared_noise(20)};
+                                   noise_declared_times(0.05),
+                                   noise_declared_times(0.3),
+                                   noise_declared_times(3),
+                                   noise_declared_times(20)};
   std::vector<Candidate> causes = some_causes();
   causes.push_back(test::only("viscoelasticity"));
   for (const Candidate& cause : causes) {
