@@ -135,6 +135,18 @@ class Drafting {
         [&](const std::string&, const std::string&, const std::string&) { return *model_.arm; });
   }
 
+  /// Whether the title of some of these columns says its unit, which a model cannot refute: then a person is
+  /// asked. \param columns_of  a run
+  [[nodiscard]] bool says_unit(const auto& columns_of) const {
+    return std::any_of(experiment_.runs.begin(), experiment_.runs.end(), [&](const DraftedRun& run) {
+      const std::vector<ColumnWords> words = run.source.words(model_.names());
+      const std::vector<DraftColumn> columns = columns_of(run);
+      return std::any_of(columns.begin(), columns.end(), [&](const DraftColumn& one) {
+        return !one.constant && !words[one.place].unit.empty();
+      });
+    });
+  }
+
   bool take(const SuspectedConvention& suspected) {
     const std::string& what = suspected.what;
     const bool forces = what == "Fx, Fy" || what == "Fx" || what == "torque",
@@ -169,6 +181,13 @@ class Drafting {
         return false;  // turned axes, and what else needs a person
       }
     }
+    const auto of_end = [first](const DraftedRun& run) {
+      std::vector<DraftColumn> columns;
+      for (const std::size_t c : {first, first + 1})
+        if (run.singles[c]) columns.push_back(*run.singles[c]);
+      return columns;
+    };
+    if (!unit.empty() && says_unit(of_end)) return false;
     for (DraftedRun& run : experiment_.runs) {
       auto &x = run.singles[first], &y = run.singles[first + 1];
       if (swapped) std::swap(x, y);
@@ -182,6 +201,12 @@ class Drafting {
   }
 
   bool take_of_angles(const SuspectedConvention& suspected) {
+    const auto of_joints = [](const DraftedRun& run) {
+      std::vector<DraftColumn> columns = run.angles;
+      columns.insert(columns.end(), run.commands.begin(), run.commands.end());
+      return columns;
+    };
+    if (suspected.looks_like == "degrees" && says_unit(of_joints)) return false;
     if (suspected.looks_like == "absolute angles") experiment_.absolute_angles = true;
     for (DraftedRun& run : experiment_.runs)
       for (auto* angles : {&run.angles, &run.commands})

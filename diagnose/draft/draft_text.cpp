@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 
+#include "diagnose/bench/end_kind.hpp"
 #include "diagnose/bench/read_nominal.hpp"
 #include "diagnose/draft/column_numbers.hpp"
 #include "diagnose/draft/quoted.hpp"
@@ -147,7 +148,7 @@ std::string inline_table(const std::string& lines) {
 /// it.
 std::string noise_lines(const std::vector<DraftedRun>& runs, bool same_columns) {
   std::map<std::string, std::vector<double>> scatter;
-  const auto add = [&](const char* name, const DraftedRun& run, const DraftColumn& column,
+  const auto add = [&](const std::string& name, const DraftedRun& run, const DraftColumn& column,
                        const Quantity& quantity) {
     if (column.constant) return;
     const double unit =
@@ -235,10 +236,10 @@ std::string samples_lines(const DraftedRun& run, const DraftedExperiment& experi
   return fmt::format("samples = [{}{}]\n", fmt::join(all, ", "), is_joined(run) ? ",\n" : "");
 }
 
-const char* control_word(const DraftedRun& run) {
+std::string_view control_word(const DraftedRun& run) {
   if (!run.commands.empty()) return "command";
-  if (run.alone == Alone::turns) return run.imposes_force ? "torque" : "angle";
-  return run.imposes_force ? "force" : "displacement";
+  const EndKind& end = end_kind(run.alone);
+  return run.imposes_force ? end.by_load : end.by_place;
 }
 
 /// A run, with its format and columns unless all share them.

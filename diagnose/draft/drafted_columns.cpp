@@ -2,23 +2,37 @@
 
 #include <algorithm>
 
+#include "diagnose/bench/end_kind.hpp"
 #include "diagnose/draft/drafted_run.hpp"
 
 namespace plumbline::diagnose {
 
+namespace {
+
+/// The first or the second of the channels of an end.
+SingleChannel single(const std::vector<Channel>& channels, std::size_t place) {
+  const std::string_view unit = channels.front().unit();
+  const Quantity& quantity = unit == "m"     ? quantity::length
+                             : unit == "rad" ? quantity::angle
+                             : unit == "N"   ? quantity::force
+                                             : quantity::torque;
+  return {place < channels.size() ? channels[place].label() : "", &quantity};
+}
+
+}  // namespace
+
 const std::array<SingleChannel, draft_singles>& single_channels(Alone alone) {
   using Channels = std::array<SingleChannel, draft_singles>;
-  static const Channels plane{{{"t", &quantity::time},
-                               {"x", &quantity::length},
-                               {"y", &quantity::length},
-                               {"Fx", &quantity::force},
-                               {"Fy", &quantity::force}}};
-  static const Channels turns{{{"t", &quantity::time},
-                               {"angle", &quantity::angle},
-                               {"", &quantity::angle},
-                               {"torque", &quantity::torque},
-                               {"", &quantity::torque}}};
-  return alone == Alone::turns ? turns : plane;
+  const auto of = [](Alone one) {
+    const EndKind& end = end_kind(one);
+    return Channels{{{"t", &quantity::time},
+                     single(end.place, 0),
+                     single(end.place, 1),
+                     single(end.load, 0),
+                     single(end.load, 1)}};
+  };
+  static const std::array all{of(Alone::no), of(Alone::turns), of(Alone::slides)};
+  return all[static_cast<std::size_t>(alone)];
 }
 
 std::vector<double> DraftedRun::values(const DraftColumn& column, const Quantity& quantity) const {

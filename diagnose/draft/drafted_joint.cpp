@@ -8,6 +8,7 @@
 #include <cmath>
 #include <plumbline/base/error.hpp>
 
+#include "diagnose/bench/end_kind.hpp"
 #include "diagnose/draft/column_numbers.hpp"
 #include "diagnose/draft/told_columns.hpp"
 #include "diagnose/draft/unit_words.hpp"
@@ -41,7 +42,7 @@ class JointDrafter {
                                  bool doubtful = false, const std::string& line = "") {
     return say_guess(run_, ask_, {what + " of " + run_.source.name(), value, reason, doubtful, line});
   }
-  [[nodiscard]] const char* channel(std::size_t single) const {
+  [[nodiscard]] const std::string& channel(std::size_t single) const {
     return single_channels(run_.alone)[single].name;
   }
   [[nodiscard]] std::string title(std::size_t column) const { return run_.source.shown_title(column); }
@@ -195,7 +196,8 @@ class JointDrafter {
           fmt::format("{} is where the spring pulls to", title(run_.commands.front().place)));
       return;
     }
-    const char *const place = slides_ ? "displacement" : "angle", *const load = slides_ ? "force" : "torque";
+    const EndKind& end = end_kind(run_.alone);
+    const std::string place(end.by_place), load(end.by_load);
     const auto& s = run_.singles;
     const EvenSteps steps = even_steps(roughness(run_.source.numbers(s[draft_x]->place)),
                                        roughness(run_.source.numbers(s[draft_Fx]->place)),

@@ -58,7 +58,7 @@ class RestFinder {
       }
       if (!own.empty() && away < near) return;
       if (begins_unloaded())
-        return set_rest(first, "the first reading, which is without load", own.empty() ? NAN : away);
+        return set_rest(first, "the first reading, which is without load", own.empty() ? 0 : away);
       if (!own.empty() && run_.moved_by_actuators) {
         say("rest", "the model's", "the first reading is under load");
         return;
@@ -73,7 +73,7 @@ class RestFinder {
     const Values middle = own.empty() ? Values(joints_, 0.0) : own;
     if (const auto shape = reaching(model_.chain, middle, {xs.front(), ys.front()}))
       return set_rest(*shape, "the shape that has the end point where the first reading has it",
-                      gap / reach_);
+                      own.empty() && joints_ > 1 ? NAN : gap / reach_);  // there are others
     ask_rest(fmt::format(
         "the model's puts the end point {:.3g} m from the first reading, which is without load", gap));
   }

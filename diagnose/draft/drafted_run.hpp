@@ -23,11 +23,12 @@ struct DraftColumn {
   std::optional<double> constant = {};  ///< instead of a column
 };
 
-/// The channels t, x, y, Fx, Fy; of a joint alone x and Fx stand for what they are there.
+/// The time, and the place and load that EndKind has: x, y, Fx, Fy; of a joint alone x and Fx stand for what
+/// they are there.
 enum : std::size_t { draft_t, draft_x, draft_y, draft_Fx, draft_Fy, draft_singles };
 
 struct SingleChannel {
-  const char* name;  ///< empty where the bench has none
+  std::string name;  ///< empty where the bench has none
   const Quantity* quantity;
 };
 const std::array<SingleChannel, draft_singles>& single_channels(Alone alone);

@@ -105,6 +105,14 @@ TEST_CASE("a force over a travel is a joint that slides") {
   CHECK(experiment.runs[0].readings[2][column_Fx] == 4.06);
 }
 
+TEST_CASE("a unit that a title says is asked about, not replaced, where the model has another size") {
+  const DraftFile press = of_document("joint-loop.md", "buffer/press.csv");  // stroke_mm, force_N
+  const Draft draft =
+      draft_experiment("buffer", nominal_model("joint = \"prismatic\"\njoint_stiffness = [4]\n"), {press});
+  CHECK(draft.settings.find("\"stroke_mm\", unit = \"mm\"") != std::string::npos);
+  CHECK(draft.question.find("looks like") != std::string::npos);
+}
+
 TEST_CASE("weights on a lever: the lever is asked for, and may be told") {
   const DraftModel flexure = nominal_model("joint = \"revolute\"\njoint_stiffness = [2.2]\n");
   const DraftFile weights = of_document("joint-loop.md", "flexure/weights.csv");
