@@ -158,6 +158,7 @@ Diagnosis diagnose(const Study& study, const std::function<void(double)>& progre
   diagnosis.gap.present = gap;
   diagnosis.gap.probability = 1 - posterior.no_gap;
   diagnosis.gap.log_odds = posterior.log_odds_of_gap;
+  diagnosis.gap.seen = posterior.seen_gap;
   if (gap) explain(study, findings, posterior, diagnosis);
   report(0.9);
   imply_joints(study, findings, diagnosis.cause, diagnosis.where);

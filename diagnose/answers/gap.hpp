@@ -66,6 +66,7 @@ struct GapAnswer {
   bool present = false;
   double probability = 0;         ///< that there is one
   double log_odds = 0;            ///< the same, as the logarithm of its odds
+  double seen = 0;                ///< probability of a gap that the readings speak for
   double chi2_per_value = 1;      ///< of the nominal residual, in the noise as it is
   std::map<Channel, double> rms;  ///< of the nominal residual by channel, in its unit
   std::vector<Outlier> outliers;

@@ -52,13 +52,13 @@ std::optional<InPart> in_part(const Study& study, const Findings& findings, cons
   const std::optional<Shrink> gain = gain_over_smooth(study, findings, noise, first);
   if (!gain || gain->ratio_high >= 1) return std::nullopt;
   found.shrink = cross_validated(study, findings, noise, first);
+  if (!found.shrink || found.shrink->ratio_high >= 1) return std::nullopt;
   found.rest.why = fmt::format(
       "beside a smooth function of the command it leaves {:.0f} % of what that function alone leaves of "
       "unseen "
       "readings; the rest is outside the catalogue",
       100 * gain->ratio);
-  if (found.shrink)
-    found.rest.share = found.shrink->ratio, found.rest.noise_floor = found.shrink->noise_floor_ratio;
+  found.rest.share = found.shrink->ratio, found.rest.noise_floor = found.shrink->noise_floor_ratio;
   return found;
 }
 

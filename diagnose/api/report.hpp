@@ -31,6 +31,7 @@ class Report {
 
   /// The experiment as it was diagnosed: of an arm, beside its calibration.
   [[nodiscard]] const Study& study() const { return study_; }
+  /// The answer as an object.
   [[nodiscard]] const Diagnosis& diagnosis() const { return diagnosis_; }
 
   /// The answer first, then the questions in order: gap, where, what, how far, what next.

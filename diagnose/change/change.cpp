@@ -114,7 +114,7 @@ Check check_of(double probability) {
 }
 
 Check check(const Change& change) {
-  return check_of(change.diagnosis.gap.probability);
+  return check_of(change.diagnosis.gap.seen);
 }
 
 }  // namespace plumbline::diagnose

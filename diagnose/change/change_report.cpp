@@ -17,9 +17,9 @@ std::string answer(const Change& change) {
   const Cause& cause = change.diagnosis.cause;
   const double p = change.diagnosis.gap.probability;
   if (!change.diagnosis.gap.present)
-    return fmt::format("{}: the two differ by noise (probability of a change {})\n",
+    return fmt::format("{}: the two differ by noise (probability of a change that shows {})\n",
                        check(change) == Check::same ? "No change" : "No change is sure",
-                       probability_in_words(p));
+                       probability_in_words(change.diagnosis.gap.seen));
   if (!cause.is_explained())
     return fmt::format("Changed (probability {}), by a cause outside the catalogue\n",
                        probability_in_words(p));

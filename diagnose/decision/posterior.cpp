@@ -5,6 +5,7 @@
 #include <plumbline/base/parallel.hpp>
 
 #include "diagnose/inference/prior.hpp"
+#include "diagnose/inference/seen_effects.hpp"
 #include "diagnose/inference/size_prior.hpp"
 #include "diagnose/outside/outside_cause.hpp"
 #include "diagnose/priors.hpp"
@@ -28,6 +29,9 @@ Labels labels_of(const Candidate& candidate) {
   std::sort(labels.begin(), labels.end());
   return labels;
 }
+
+/// A probability that changes no answer.
+constexpr double negligible = 1e-6;
 
 bool is_tolerances_alone(const Candidate& candidate) {
   return std::all_of(candidate.effects.begin(), candidate.effects.end(), [&](const EffectAt& at) {
@@ -130,6 +134,21 @@ Labels surely_part(std::vector<Holding> left) {
   return chosen;
 }
 
+using Causes = std::map<Labels, CauseProbability>;
+
+/// Where the readings do not speak for an effect of a hypothesis, its cause is that of the others.
+/// \param p  probability of the hypothesis as a cause of the catalogue
+void move_to_what_is_seen(const Study& study, const Hypothesis& hypothesis, double p, Causes& causes) {
+  const Labels labels = labels_of(hypothesis.candidate);
+  if (labels.size() < 2 || p < negligible) return;
+  for (const SeenEffects& one : seen_effects(study, hypothesis)) {
+    const auto seen = causes.find(labels_of(one.candidate));
+    if (seen == causes.end()) continue;
+    causes.at(labels).probability -= p * one.share;
+    seen->second.probability += p * one.share;
+  }
+}
+
 }  // namespace
 
 std::vector<double> log_weights(const std::vector<Way>& all, double power) {
@@ -192,12 +211,14 @@ Posterior posterior(const Study& study, const Findings& findings) {
   const std::vector<double> of_gaps(log_probability.begin() + 1, log_probability.end());
   result.no_gap = std::exp(log_probability.front());
   result.log_odds_of_gap = log_sum(of_gaps) - log_probability.front();
+  for (std::size_t i = 0; i < gaps.size(); ++i)
+    if (gaps[i].log_evidence > all.front().log_evidence) result.seen_gap += std::exp(of_gaps[i]);
   double discrepancy = 0;
   const std::vector<double> plain = log_weights(gaps, 1);
   for (std::size_t i = 0; i < gaps.size(); ++i) discrepancy += std::exp(plain[i]) * gaps[i].discrepancy;
   result.temper = 1 - discrepancy * (1 - priors::temper);
   const std::vector<double> weight = log_weights(gaps, result.temper);
-  std::map<Labels, CauseProbability> causes;
+  Causes causes;
   std::vector<Holding> holding;
   double most = 0;
   for (std::size_t i = 0; i < gaps.size(); ++i) {
@@ -214,10 +235,14 @@ Posterior posterior(const Study& study, const Findings& findings) {
       causes.try_emplace(labels, CauseProbability{labels, 0, gaps[i].hypothesis}).first->second.probability +=
           p;
   }
+  for (std::size_t i = 0; i < gaps.size(); ++i)
+    if (gaps[i].of == Way::Of::listed)
+      move_to_what_is_seen(study, findings.hypotheses[gaps[i].hypothesis],
+                           (1 - result.no_gap) * std::exp(weight[i]), causes);
   result.surely_part = surely_part(std::move(holding));
   for (auto& [label, probability] : result.effects) probability = std::min(1.0, probability);  // likewise
   for (auto& [labels, cause] : causes) {
-    cause.probability = std::min(1.0, cause.probability);  // but for rounding
+    cause.probability = std::clamp(cause.probability, 0.0, 1.0);  // but for rounding
     result.causes.push_back(std::move(cause));
   }
   std::stable_sort(

@@ -44,6 +44,9 @@ std::vector<double> log_weights(const std::vector<Way>& all, double power);
 struct Posterior {
   double no_gap = 0;
   double log_odds_of_gap = 0;  ///< over no gap
+  /// Probability of the explanations of a gap for which the readings speak: with them they are more probable
+  /// than with noise alone. A gap may be too small to be seen.
+  double seen_gap = 0;
   double outside = 0;
   std::vector<CauseProbability> causes;  ///< most probable first
   /// By label: that an effect is part of the cause, whether or not something outside of the catalogue is too.

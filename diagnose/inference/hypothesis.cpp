@@ -4,9 +4,12 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <map>
 #include <numbers>
 
 #include "diagnose/inference/prior.hpp"
+#include "diagnose/inference/seen_effects.hpp"
 #include "diagnose/inference/size_prior.hpp"
 #include "diagnose/log_sum.hpp"
 
@@ -89,9 +92,21 @@ class FittedVolume {
 
   /// Logarithm of the share of the prior's volume that the readings leave, the sizes of effects summed out.
   [[nodiscard]] double log() const {
-    std::vector<double> size(effects_, 0.0), terms;
-    add_terms(0, 0, size, terms);
+    std::vector<double> terms;
+    for_sizes([&](const std::vector<double>&, double log_term) { terms.push_back(log_term); });
     return log_fixed_ + log_sum(terms);
+  }
+
+  /// Shares of this volume by the effects that are seen, a flag each.
+  [[nodiscard]] std::map<std::vector<bool>, double> shares() const {
+    std::map<std::vector<bool>, std::vector<double>> terms;
+    std::vector<double> all;
+    for_sizes([&](const std::vector<double>& size, double log_term) {
+      terms[seen(size)].push_back(log_term), all.push_back(log_term);
+    });
+    std::map<std::vector<bool>, double> shares;
+    for (const auto& [flags, own] : terms) shares[flags] = std::exp(log_sum(own) - log_sum(all));
+    return shares;
   }
 
  private:
@@ -122,19 +137,36 @@ class FittedVolume {
         prior.log_density(h_.parameters[p]) + std::log(width_.back() * std::sqrt(2 * std::numbers::pi));
   }
 
-  /// The terms of all sizes of the effects from one on.
-  void add_terms(std::size_t effect, double log_prior, std::vector<double>& size,
-                 std::vector<double>& terms) const {
-    if (effect == effects_) {
-      terms.push_back(log_prior + log_at(size));
-    } else if (!has_size_[effect]) {
-      add_terms(effect + 1, log_prior, size, terms);
-    } else {
-      for (const GridSize& one : size_grid()) {
-        size[effect] = one.size;
-        add_terms(effect + 1, log_prior + one.log_prior, size, terms);
+  /// Calls with all sizes of the effects, and the logarithm of their prior times what the readings leave.
+  template <class Take>
+  void for_sizes(const Take& take) const {
+    std::vector<double> size(effects_, 0.0);
+    const std::function<void(std::size_t, double)> from = [&](std::size_t effect, double log_prior) {
+      if (effect == effects_) {
+        take(size, log_prior + log_at(size));
+      } else if (!has_size_[effect]) {
+        from(effect + 1, log_prior);
+      } else {
+        for (const GridSize& one : size_grid()) {
+          size[effect] = one.size;
+          from(effect + 1, log_prior + one.log_prior);
+        }
       }
+    };
+    from(0, 0);
+  }
+
+  /// The effects with which the readings are more probable than with next to nothing of them.
+  [[nodiscard]] std::vector<bool> seen(const std::vector<double>& size) const {
+    constexpr double next_to_nothing = 1e-3;
+    std::vector<bool> flags(effects_, true);
+    for (std::size_t effect = 0; effect < effects_; ++effect) {
+      if (!has_size_[effect]) continue;
+      std::vector<double> without = size;
+      without[effect] *= next_to_nothing;
+      flags[effect] = log_at(size) > log_at(without);
     }
+    return flags;
   }
 
   /// What the readings say of sizes where the other parameters are summed out.
@@ -207,6 +239,17 @@ void weigh(const Study& study, Hypothesis& h) {
 }
 
 }  // namespace
+
+std::vector<SeenEffects> seen_effects(const Study& study, const Hypothesis& hypothesis) {
+  std::vector<SeenEffects> result;
+  for (const auto& [flags, share] : FittedVolume(study, hypothesis).shares()) {
+    Candidate seen;
+    for (std::size_t i = 0; i < flags.size(); ++i)
+      if (flags[i]) seen.effects.push_back(hypothesis.candidate.effects[i]);
+    result.push_back({seen.effects.empty() ? hypothesis.candidate : seen, share});
+  }
+  return result;
+}
 
 double Volume::log() const {
   double sum = 0;

@@ -42,7 +42,8 @@ bool shows_at_typical_size(const Study& study, const Hypothesis& h) {
 }  // namespace
 
 bool has_idle_effect(const Study& study, const Likelihood& likelihood, const Hypothesis& h) {
-  if (h.candidate.effects.size() == 1) return !shows_at_typical_size(study, h);
+  if (h.candidate.effects.size() == 1)
+    return !h.candidate.effects.front().effect->outside && !shows_at_typical_size(study, h);
   return std::any_of(h.candidate.effects.begin(), h.candidate.effects.end(), [&](const EffectAt& gone) {
     if (h.candidate.has_as_tolerance(gone)) return false;
     const Instance rest =

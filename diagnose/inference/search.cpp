@@ -399,12 +399,13 @@ class Searcher {
     sort();
   }
 
-  /// A hypothesis with an idle effect is another, simpler one.
+  /// A hypothesis with an idle effect is another, simpler one. Unknown torques stay: they tell joints apart.
   void drop_idle() {
-    constexpr std::size_t most = 40;
-    std::vector<char> idle(std::min(most, found_.hypotheses.size()), 0);
+    std::vector<char> idle(found_.hypotheses.size(), 0);
     in_parallel(idle.size(), study_.threads(), [&](std::size_t i) {
-      idle[i] = has_idle_effect(study_, *found_.likelihood, found_.hypotheses[i]);
+      const Hypothesis& h = found_.hypotheses[i];
+      const bool outside = h.candidate.effects.size() == 1 && h.candidate.effects.front().effect->outside;
+      idle[i] = i < 40 ? has_idle_effect(study_, *found_.likelihood, h) : !outside;
     });
     std::vector<Hypothesis> kept;
     for (std::size_t i = 0; i < idle.size(); ++i)
@@ -417,10 +418,9 @@ class Searcher {
   std::vector<EffectAt> listed_;  ///< of the catalogue and the user's
   Findings found_;
   std::shared_ptr<const Likelihood> rough_likelihood_;  ///< in white noise
-  std::shared_ptr<const Likelihood>
-      all_readings_;  ///< the same, no reading an outlier; none where none is marked
-  VectorXd weight_;   ///< by value: one over its noise, in declared sigmas
-  std::set<std::string> from_whole_, replaced_;  ///< labels: fitted from a larger one; extended by all
+  std::shared_ptr<const Likelihood> all_readings_;      ///< the same, no reading an outlier; or none
+  VectorXd weight_;                                     ///< by value: one over its noise, in declared sigmas
+  std::set<std::string> from_whole_, replaced_;         ///< labels: fitted from a larger one; extended by all
 };
 
 }  // namespace

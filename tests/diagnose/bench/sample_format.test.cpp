@@ -343,6 +343,7 @@ TEST_CASE("an invalid number or reading is refused at its line") {
         "T:2: found an empty imposed channel, expected the commanded Fx and Fy");
   CHECK(sample_fault("", all + "0,,,3,4\n", Control::force).empty());
   CHECK(sample_fault("", all + "0,1,2,3,4\n1,1,2,3,4\n0.5,1,2,3,4\n") ==
-        "T:4, t: found 0.5, expected a time not before the last reading's, 1");
+        "T:4, t: found 0.5, expected a time not before the last reading's, 1; where the "
+        "table goes back in time: its rows turned round");
   CHECK(sample_fault("", all + "0,1,2,3,4\n0,1,2,3,4\n").empty());
 }

@@ -9,7 +9,7 @@ import sys
 
 import numpy as np
 
-from volume import log_half_cauchy, log_normalised, log_size, log_smaller, log_sum, log_volume
+from volume import labels_of, log_half_cauchy, log_normalised, log_size, log_smaller, log_sum, seen_causes, volume_by_seen
 
 AMPLITUDE = np.array([0, 0.01, 0.02, 0.04, 0.08, 0.16, 0.32, 0.64, 1.28])
 LENGTH = [0.15, 0.4, 1.0]
@@ -321,14 +321,14 @@ def ways(data, likelihood):
              "local": (exact + departure(data, likelihood, nominal.z, taken), 0), "ends": (exact + departure(data, likelihood, nominal.z, ends), 0),
              "step": (exact + likelihood.log_step(residual), 0), "one channel": (nominal.one_channel, nominal.alone),
              "scatter": (nominal.scatter, 0), "part": (exact + part_scatters(data["noisier"]), 0)}
-    result = [(np.log(NO_GAP), exact, 0, None)]
-    result += [(none + np.log(OUTSIDE * SHARES[kind]), *kinds[kind], "outside") for kind in SHARES]
+    result = [(np.log(NO_GAP), exact, 0, None, None)]
+    result += [(none + np.log(OUTSIDE * SHARES[kind]), *kinds[kind], "outside", None) for kind in SHARES]
     for one in data["hypotheses"]:
         left = np.array(one["residual"])
         look = likelihood.look(left, np.array(one["jacobian"]).reshape(-1, len(left)).T)
-        base, volume = none + one["log_prior"], log_volume(one["parameters"], look.gradient, look.information)
-        own = sorted(e["label"] for e in one["effects"] if not e["outside"] and not e["tolerance"])
-        own = tuple(own or sorted(e["label"] for e in one["effects"] if not e["outside"]))
+        base = none + one["log_prior"]
+        volume, by_unseen = volume_by_seen(one["parameters"], look.gradient, look.information)
+        own = labels_of(one["effects"])
         whole = (volume + log_sum(look.by_amplitude + LOG_LISTED), expected(look.by_amplitude, LOG_LISTED, look.discrepancy))
         if any(e["outside"] for e in one["effects"]):
             some = split((base, *whole), one["discrepancy"], own, likelihood.typical) if own else [(base, *whole, "outside")]
@@ -338,7 +338,8 @@ def ways(data, likelihood):
             some.append((base + np.log(OUTSIDE), volume + log_sum(look.by_amplitude + imitated),
                          expected(look.by_amplitude, imitated, look.discrepancy), "outside"))
             some += split((base + np.log(SCATTER_BESIDE), volume + look.scatter, 0), look.scatter_size, own, likelihood.typical)
-        result += [(*way[:3], "outside") if one["untimed"] else way for way in some]
+        result += [(*way[:3], "outside" if one["untimed"] else way[3], one) for way in some]
+        one["seen"] = seen_causes(one["effects"], by_unseen)
         one["leaves_nothing"] = (np.exp(log_normalised(look.by_amplitude + LOG_LISTED))[0] > 0.5
                                  and np.mean(left[~likelihood.outlier] ** 2) <= SCATTER**2)
         one["own"] = own
@@ -351,9 +352,14 @@ def decide(data):
     prior, evidence, discrepancy = (np.array([w[k] for w in all_ways], float) for k in range(3))
     no_gap = np.exp(log_normalised(prior + evidence))[0]
     temper = 1 - (1 - TEMPER) * (np.exp(log_normalised(prior[1:] + evidence[1:])) @ discrepancy[1:])
-    sums = {"outside": 0.0}
-    for p, (*_, cause) in zip((1 - no_gap) * np.exp(log_normalised(prior[1:] + temper * evidence[1:])), all_ways[1:]):
+    sums, probability = {"outside": 0.0}, (1 - no_gap) * np.exp(log_normalised(prior[1:] + temper * evidence[1:]))
+    for p, (*_, cause, _) in zip(probability, all_ways[1:]):
         sums[cause] = sums.get(cause, 0) + p
+    for p, (*_, cause, one) in zip(probability, all_ways[1:]):  # an effect that is not seen is no part of the name
+        for share, seen in one["seen"] if cause != "outside" and len(cause) > 1 else []:
+            if seen in sums:
+                sums[cause] -= p * share
+                sums[seen] += p * share
     outside = sums.pop("outside")
     causes = sorted(sums.items(), key=lambda kv: -kv[1])
     if no_gap > 0.5:
@@ -364,8 +370,7 @@ def decide(data):
     if not causes or (leads and (listed < 1 / WRONG or not nothing_left)):
         return "unknown", set(), no_gap, outside
     others = 1 if outside >= 1 / WRONG else 0
-    named = [causes[0][0]] + [c for c, p in causes[1:] if p >= (listed if leads else 1) / WRONG]
-    named = named[: LARGEST - others]
+    named = ([causes[0][0]] + [c for c, p in causes[1:] if p >= (listed if leads else 1) / WRONG])[: LARGEST - others]
     if len(named) + others == 1:  # the only name costs more where it is wrong
         rest = [outside] + [p for _, p in causes[1:]]
         if 1.5 * WRONG * sum(rest) > 1 + WRONG * (sum(rest) - max(rest)):
@@ -377,7 +382,7 @@ def decide(data):
 
 
 def main(program, *folders):
-    agree, total = 0, 0
+    agree = total = 0
     for folder in folders:
         data = json.loads(subprocess.run([program, folder], check=True, capture_output=True, text=True).stdout)
         verdict, named, no_gap, outside = decide(data)

@@ -1,4 +1,5 @@
 """The prior of sizes, and the share of a prior's volume that readings leave to parameters, by docs/how-it-decides.md."""
+import functools
 import itertools
 
 import numpy as np
@@ -37,8 +38,9 @@ SIZES = 3.0 ** np.arange(-4, 4)
 LOG_SIZES = log_normalised(log_size(SIZES))
 
 
-def log_volume(parameters, gradient, information):
-    """The share of the prior that the readings leave, by Laplace's method; the sizes of effects summed out on a grid."""
+def volume_by_seen(parameters, gradient, information):
+    """The share of the prior that the readings leave, by Laplace's method, its logarithm: that of all sizes of the effects on a
+    grid together, and shares of it by the effects that are not seen there: the readings are as probable without them."""
     total, inside, widths, sized, bounded = 0.0, [], [], [], []
     for p, one in enumerate(parameters):
         if one["prior"] == "size":
@@ -70,11 +72,10 @@ def log_volume(parameters, gradient, information):
         total -= 0.5 * np.linalg.slogdet(own)[1]
         of_sizes = of_sizes - cross.T @ np.linalg.solve(own, cross)
     effects = sorted({parameters[p]["effect"] for p in sized + bounded})
-    terms = []
-    for choice in itertools.product(range(len(SIZES)), repeat=len(effects)):
-        size = {e: SIZES[k] for e, k in zip(effects, choice)}
+
+    def log_left(size):
         width = np.array([size[parameters[p]["effect"]] * parameters[p]["scale"] for p in sized])
-        term = sum(LOG_SIZES[k] for k in choice)
+        term = 0.0
         for p in bounded:
             w, sides = size[parameters[p]["effect"]] * parameters[p]["scale"], 1 if parameters[p]["low"] < 0 else 2
             log_density = np.log(sides / (w * np.sqrt(2 * np.pi))) - (parameters[p]["value"] / w) ** 2 / 2
@@ -86,5 +87,25 @@ def log_volume(parameters, gradient, information):
             term -= (at / width) @ mean / 2 + 0.5 * np.linalg.slogdet(precision)[1]
             spread = np.sqrt(np.diag(np.linalg.inv(precision)))
             term += sum(np.log(2) + norm.logcdf(m / s) for p, m, s in zip(sized, mean, spread) if parameters[p]["low"] >= 0)
-        terms.append(term)
-    return total + log_sum(terms)
+        return term
+
+    left_at = functools.cache(lambda sizes: log_left(dict(zip(effects, sizes))))
+    terms = {}
+    for choice in itertools.product(range(len(SIZES)), repeat=len(effects)):
+        sizes = tuple(SIZES[k] for k in choice)
+        left = left_at(sizes)
+        unseen = frozenset(e for i, e in enumerate(effects) if left <= left_at((*sizes[:i], 1e-3 * sizes[i], *sizes[i + 1:])))
+        terms.setdefault(unseen, []).append(left + sum(LOG_SIZES[k] for k in choice))
+    whole = log_sum([term for own in terms.values() for term in own])
+    return total + whole, {unseen: np.exp(log_sum(own) - whole) for unseen, own in terms.items()}
+
+
+def labels_of(effects):
+    """The cause that effects are: tolerances beside others, and what stands for causes outside, are no part of it."""
+    own = sorted(e["label"] for e in effects if not e["outside"] and not e["tolerance"])
+    return tuple(own or sorted(e["label"] for e in effects if not e["outside"]))
+
+
+def seen_causes(effects, by_unseen):
+    """Shares of a hypothesis, with the cause that is seen in each: all of it where nothing is."""
+    return [(share, labels_of([e for i, e in enumerate(effects) if i not in unseen] or effects)) for unseen, share in by_unseen.items()]

@@ -59,6 +59,7 @@ inline Diagnosis made_up() {
   made.gap = {true,
               0.9995,
               7.6,
+              0.9995,
               12.5,
               {{of_Fx, 0.25}, {of_q2, 0.0031}},
               {{"load-2", 4, Channel(Channel::Name::x), -310.4, true}, {"press-1", 5, of_Fx, 12.3, false}},
