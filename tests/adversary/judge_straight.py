@@ -112,7 +112,8 @@ def of_loss(program, text, line, answer, tally, digits):
 
 
 def loss_faults(said, words, found):
-    """Of the loss that is stated, against the events in their order."""
+    """Of the loss that is stated, against the events in their order, but for single factors that it leaves undecided."""
+    found = [e for e in found if e.before != "stable" or e.above != "stable" or not any(lies(e, u) for u in said.get("undecided", []))]
     losses = [e for e in found if e.before == "stable" and (e.at != "stable" or e.above != "stable")]
     here = [e for e in losses if lies(e, said["factor"])]
     if not here:
