@@ -3,7 +3,7 @@
 
     table.py PLUMBLINE FOLDER [--reports FOLDER]
 
-diagnoses every set of sets.toml that FOLDER has, and prints the table of docs/measured-by-others.md.
+diagnoses every set of sets.toml that FOLDER has, and prints the table of trial/RESULTS-published.md.
 """
 import argparse
 import json
