@@ -58,6 +58,21 @@ std::set<std::size_t> joined(const proofs::ProvedFork& fork) {
   return parts;
 }
 
+/// The first line of a part's certificate.
+template <class Certificate>
+std::string head(std::size_t part, const Certificate& of) {
+  return fmt::format(
+      "part {}: {} in {} segments; the points are within {:.1e} rad of it, the chords {:.1e}\n", part,
+      title(of), of.segments, of.distance, of.tube);
+}
+
+/// Its last line, where it failed.
+template <class Certificate>
+std::string failure(const Certificate& of) {
+  if (!of.failed_at) return "";
+  return fmt::format("  NOT proved from {} on: {}\n", text(*of.failed_at, shown_digits), of.failure);
+}
+
 }  // namespace
 
 bool complete(const proofs::JoinedBranches& proved) {
@@ -69,9 +84,7 @@ std::string as_text(const proofs::JoinedBranches& proved) {
   std::string all = "\nProved by interval arithmetic, the chain's numbers as exact decimals\n";
   for (std::size_t b = 0; b < proved.branches.size(); ++b) {
     const proofs::PathCertificate& one = proved.branches[b];
-    all +=
-        fmt::format("part {}: {} in {} segments; the points are within {:.1e} rad of it, the chords {:.1e}\n",
-                    b + 1, title(one), one.segments, one.distance, one.tube);
+    all += head(b + 1, one);
     for (const proofs::CertifiedRun& run : one.runs) all += text(run, "load");
     for (const proofs::Span& fold : one.folds)
       all += "  the load turns once in " + text(fold, shown_digits) + "\n";
@@ -83,8 +96,7 @@ std::string as_text(const proofs::JoinedBranches& proved) {
                          gap.unfolded ? "a bifurcation unfolded (it is proved that none is there)"
                                       : "a bifurcation or nearly one (not decided)",
                          text(gap.loads, shown_digits));
-    if (one.failed_at)
-      all += fmt::format("  NOT proved from {} on: {}\n", text(*one.failed_at, shown_digits), one.failure);
+    all += failure(one);
   }
   for (const proofs::ProvedFork& fork : proved.forks)
     all +=
@@ -125,16 +137,13 @@ std::string as_text(const std::vector<proofs::StructureCertificate>& proved) {
   std::string all = "\nProved by interval arithmetic, the chain's numbers as exact decimals\n";
   for (std::size_t b = 0; b < proved.size(); ++b) {
     const proofs::StructureCertificate& one = proved[b];
-    all +=
-        fmt::format("part {}: {} in {} segments; the points are within {:.1e} rad of it, the chords {:.1e}\n",
-                    b + 1, title(one), one.segments, one.distance, one.tube);
+    all += head(b + 1, one);
     for (const proofs::CertifiedRun& run : one.runs) all += text(run, "factor");
     for (const proofs::Span& fold : one.folds)
       all += "  the factor turns once in " + text(fold, shown_digits) + "\n";
     for (const proofs::Span& gap : one.gaps)
       all += "  not covered, a bifurcation or nearly one (not decided), " + text(gap, shown_digits) + "\n";
-    if (one.failed_at)
-      all += fmt::format("  NOT proved from {} on: {}\n", text(*one.failed_at, shown_digits), one.failure);
+    all += failure(one);
   }
   return all;
 }

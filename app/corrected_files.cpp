@@ -9,6 +9,14 @@ constexpr const char* option = "--corrected";
 
 }  // namespace
 
+std::string as_text(const std::filesystem::path& file, const exchange::Written& model) {
+  std::string text = fmt::format("\nCorrected model: {}\n", file.string());
+  if (!model.note.empty()) text += "  " + model.note + "\n";
+  for (const exchange::Carried& one : model.effects)
+    text += fmt::format("  {}{}: {}\n", one.carried ? "" : "not carried: ", one.effect, one.how);
+  return text;
+}
+
 CorrectedFiles::CorrectedFiles(Outputs& outputs, std::filesystem::path path)
     : outputs_(outputs), path_(std::move(path)) {
   if (!wanted()) return;
@@ -45,12 +53,7 @@ nlohmann::ordered_json CorrectedFiles::as_json() const {
 
 std::string CorrectedFiles::as_text() const {
   std::string text;
-  for (const Named& file : written_) {
-    text += fmt::format("\nCorrected model: {}\n", file.path.string());
-    if (!file.model.note.empty()) text += "  " + file.model.note + "\n";
-    for (const exchange::Carried& one : file.model.effects)
-      text += fmt::format("  {}{}: {}\n", one.carried ? "" : "not carried: ", one.effect, one.how);
-  }
+  for (const Named& file : written_) text += app::as_text(file.path, file.model);
   return text;
 }
 

@@ -7,6 +7,9 @@
 
 namespace plumbline::app {
 
+/// A corrected model that was written: its file, and what became of each effect.
+std::string as_text(const std::filesystem::path& file, const exchange::Written& model);
+
 class CorrectedFiles {
  public:
   /// \param path  of the file; without one none is written

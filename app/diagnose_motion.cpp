@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "app/corrected_files.hpp"
 #include "app/outputs.hpp"
 #include "app/progress.hpp"
 #include "diagnose/motion/balance/balance_report.hpp"
@@ -13,19 +14,11 @@
 #include "diagnose/motion/report.hpp"
 
 namespace plumbline::app {
-
 namespace {
 
 bool has_settings(const std::string& folder) {
   return !folder.empty() &&
          std::filesystem::is_regular_file(std::filesystem::path(folder) / "experiment.toml");
-}
-
-std::string words_of(const std::vector<exchange::Carried>& effects, const std::string& path) {
-  std::string text = fmt::format("\nCorrected model: {}\n", path);
-  for (const exchange::Carried& one : effects)
-    text += fmt::format("  {}{}: {}\n", one.carried ? "" : "not carried: ", one.effect, one.how);
-  return text;
 }
 
 }  // namespace
@@ -53,12 +46,8 @@ void diagnose_motion(const std::string& folder, const MotionFiles& files, bool n
                            *const html = outputs.open("--html", files.html),
                            *const model = outputs.open("--corrected", files.corrected);
   const motion::Study study(motion::read_bench(folder));
-  constexpr std::size_t steps = 100;
-  Progress progress("diagnosis", steps);
-  std::size_t shown = 0;
-  const motion::Diagnosis diagnosis = motion::diagnose_motion(study, [&](double share) {
-    for (; shown < static_cast<std::size_t>(share * steps); ++shown) progress.advance();
-  });
+  const motion::Diagnosis diagnosis =
+      with_progress("diagnosis", [&](const auto& show) { return motion::diagnose_motion(study, show); });
   exchange::Written written;
   if (model) {
     written = motion::corrected_joint(study.bench(), diagnosis, files.corrected);
@@ -70,7 +59,7 @@ void diagnose_motion(const std::string& folder, const MotionFiles& files, bool n
   if (files.json != "-" && files.html != "-")
     fmt::print("{}{}{}", as_text(diagnosis),
                next || diagnosis.verdict == diagnose::CauseVerdict::ambiguous ? next_text(diagnosis) : "",
-               model ? words_of(written.effects, files.corrected) : "");
+               model ? as_text(files.corrected, written) : "");
 }
 
 }  // namespace plumbline::app
