@@ -7,18 +7,16 @@ writes OUT/arms-S/NAME/ (the experiment), OUT/arms-S/seals.json and, apart from 
 same arm at other poses, without noise). With --tolerance every joint is off by as much, and the tracker stands anywhere. Moved to OUT/arms-S/labels, labels are opened: `plumbline trial --experiments OUT/arms-S` scores.
 """
 import argparse
-import hashlib
-import json
 import multiprocessing
 import pathlib
+import sys
 
-import ordinary
-from draw import draw
-from write_experiment import label, write_experiment
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 
-
-def sha256(text):
-    return hashlib.sha256(text.encode()).hexdigest()
+import ordinary  # noqa: E402
+from draw import draw  # noqa: E402
+from write_experiment import label, write_experiment  # noqa: E402
+from sealing import new_folders, sealed, write_seals  # noqa: E402
 
 
 def make(job):
@@ -27,9 +25,7 @@ def make(job):
     name = f"{drawn.bench.shape.name}-{number:03d}"
     write_experiment(out / name, name, drawn.bench, drawn.readings)
     write_experiment(labels / "held-out" / name, name, drawn.later, drawn.later_readings)
-    envelope = {"salt": sha256(f"{seed}\n{name}")[:32], "label": label(name, drawn)}
-    (labels / f"{name}.json").write_text(json.dumps(envelope, indent=1) + "\n")
-    return name, sha256(envelope["salt"] + "\n" + envelope["label"])
+    return sealed(labels, name, seed, label(name, drawn))
 
 
 def main():
@@ -40,14 +36,10 @@ def main():
     parser.add_argument("--only", nargs="+", default=(), metavar="ID", help="one effect out of these in each experiment")
     parser.add_argument("--tolerance", type=float, metavar="RAD", help="zeros and tilts of all joints, standard deviation; one effect of 40 sigma in each")
     a = parser.parse_args()
-    out, labels = a.out / f"arms-{a.seed}", a.out / f"arms-{a.seed}-labels"
-    for folder in (out, labels):
-        folder.mkdir(parents=True)
+    out, labels = new_folders(a.out, "arms", a.seed)
     with multiprocessing.Pool(2) as pool:
         seals = dict(pool.imap(make, [(out, labels, a.seed, a.only, a.tolerance, n) for n in range(a.count)]))
-    text = json.dumps({"format": "experiment-seals/1", "seals": seals}, indent=1) + "\n"
-    (out / "seals.json").write_text(text)
-    print(f"{a.count} experiments in {out}; SHA-256 of the seals: {sha256(text)}")
+    write_seals(out, seals)
 
 
 if __name__ == "__main__":

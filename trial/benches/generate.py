@@ -7,17 +7,15 @@ writes OUT/benches-S/NAME/ (the experiment), OUT/benches-S/seals.json and, apart
 OUT/benches-S/labels, labels are opened: `plumbline trial --experiments OUT/benches-S` scores.
 """
 import argparse
-import hashlib
-import json
 import pathlib
+import sys
 
-from draw import draw
-from recipe import FAINT, PLAIN
-from write_experiment import label, write_experiment
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 
-
-def sha256(text):
-    return hashlib.sha256(text.encode()).hexdigest()
+from draw import draw  # noqa: E402
+from recipe import FAINT, PLAIN  # noqa: E402
+from write_experiment import label, write_experiment  # noqa: E402
+from sealing import new_folders, sealed, write_seals  # noqa: E402
 
 
 def make(out, labels, seed, number, recipe=PLAIN):
@@ -25,9 +23,7 @@ def make(out, labels, seed, number, recipe=PLAIN):
     drawn = draw(number, seed, recipe)
     name = f"{drawn.bench.kind}-{number:03d}"
     write_experiment(out / name, name, drawn)
-    envelope = {"salt": sha256(f"{seed}\n{name}")[:32], "label": label(name, drawn)}
-    (labels / f"{name}.json").write_text(json.dumps(envelope, indent=1) + "\n")
-    return name, sha256(envelope["salt"] + "\n" + envelope["label"])
+    return sealed(labels, name, seed, label(name, drawn))
 
 
 def main():
@@ -37,13 +33,9 @@ def main():
     parser.add_argument("--count", type=int, required=True)
     parser.add_argument("--faint", action="store_true", help="strengths from far below the noise, noise of every kind: for calibration")
     a = parser.parse_args()
-    out, labels = a.out / f"benches-{a.seed}", a.out / f"benches-{a.seed}-labels"
-    for folder in (out, labels):
-        folder.mkdir(parents=True)
+    out, labels = new_folders(a.out, "benches", a.seed)
     seals = dict(make(out, labels, a.seed, number, FAINT if a.faint else PLAIN) for number in range(a.count))
-    text = json.dumps({"format": "experiment-seals/1", "seals": seals}, indent=1) + "\n"
-    (out / "seals.json").write_text(text)
-    print(f"{a.count} experiments in {out}; SHA-256 of the seals: {sha256(text)}")
+    write_seals(out, seals)
 
 
 if __name__ == "__main__":

@@ -7,19 +7,19 @@ writes OUT/motion-S/NAME/ (experiment.toml, an index and logs), OUT/motion-S/sea
 """
 import argparse
 import csv
-import hashlib
 import json
 import pathlib
+import sys
 
-from draw import SAME, drawn
-from rig import follow
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+
+from draw import SAME, drawn  # noqa: E402
+from rig import follow  # noqa: E402
+from sealing import new_folders, sealed, write_seals  # noqa: E402
+
 
 GAINS = (2.0, 5.0)  # duty per rad, over what holds half the load at 0.1 rad
 DURATION = 3.6
-
-
-def sha256(text):
-    return hashlib.sha256(text.encode()).hexdigest()
 
 
 def settings(name, nominal, unknown, sigma):
@@ -55,9 +55,7 @@ def make(out, labels, seed, number):
     same = {cause: sorted(one - {cause}) for cause in truth for one in SAME if cause in one}
     label = {"kind": kind, "causes": truth, "same": same, "unknown": list(unknown), "rate": logging["rate"],
              "values": {k: v for k, v in vars(actual).items() if v != getattr(nominal, k)}}
-    envelope = {"salt": sha256(f"{seed}\n{name}")[:32], "label": json.dumps(label)}
-    (labels / f"{name}.json").write_text(json.dumps(envelope, indent=1) + "\n")
-    return name, sha256(envelope["salt"] + "\n" + envelope["label"])
+    return sealed(labels, name, seed, json.dumps(label))
 
 
 def main():
@@ -66,13 +64,9 @@ def main():
     parser.add_argument("--seed", type=int, required=True)
     parser.add_argument("--count", type=int, required=True)
     a = parser.parse_args()
-    out, labels = a.out / f"motion-{a.seed}", a.out / f"motion-{a.seed}-labels"
-    for folder in (out, labels):
-        folder.mkdir(parents=True)
+    out, labels = new_folders(a.out, "motion", a.seed)
     seals = dict(make(out, labels, a.seed, number) for number in range(a.count))
-    text = json.dumps({"format": "experiment-seals/1", "seals": seals}, indent=1) + "\n"
-    (out / "seals.json").write_text(text)
-    print(f"{a.count} experiments in {out}; SHA-256 of the seals: {sha256(text)}")
+    write_seals(out, seals)
 
 
 if __name__ == "__main__":
