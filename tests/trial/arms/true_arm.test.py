@@ -17,7 +17,8 @@ import numpy as np
 from batch_statics import PlainArm
 from draw import draw
 from experiment import Bench, Run, clean_readings, draw_poses, weights
-from generate import make, sha256
+from generate import make
+from sealing import sha256
 from model_files import mjcf, quaternion, rotation, rotation_about, urdf
 from ordinary import SHAPES as ORDINARY, STRENGTH, beside_frames, draw as draw_ordinary
 from shapes import HOBBY, INDUSTRIAL, SHAPES

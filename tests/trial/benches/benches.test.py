@@ -14,7 +14,8 @@ from aliases import Readings, aliases, is_imitated
 from bench import GRAVITY, Bench, Run
 from catalogue import ROWS
 from draw import draw
-from generate import make, sha256
+from generate import make
+from sealing import sha256
 from joint_law import JointLaw
 from loads import Loads, delayed, tensions
 from statics import clean_readings
