@@ -54,6 +54,12 @@ Side side(const Study& reference, const Study& state,
   return {std::move(relative), std::move(study), std::move(diagnosis), log_simplicity(alone)};
 }
 
+/// Power at which the evidence counts between the senses: neighbouring readings share what the model of a
+/// reference lacks.
+double power(const Side& one, const Side& other) {
+  return one.log_simplicity && other.log_simplicity ? 1 : priors::temper;
+}
+
 /// Logarithm of the odds that the model of the one reference is the simpler one.
 double log_odds_of_references(const Side& one, const Side& other) {
   return one.log_simplicity && other.log_simplicity ? *one.log_simplicity - *other.log_simplicity : 0;
@@ -82,7 +88,8 @@ Change what_changed(const Study& before, const Study& after, const std::function
     };
   };
   Side added = side(before, after, quarter, 0), removed = side(after, before, quarter, 2);
-  const double of_change = added.diagnosis.gap.log_odds - removed.diagnosis.gap.log_odds;
+  const double of_change =
+      power(added, removed) * (added.diagnosis.gap.log_odds - removed.diagnosis.gap.log_odds);
   const bool same = same_cause(added.diagnosis, removed.diagnosis);
   const bool either = same && std::abs(of_change) < std::log(priors::wrong_over_further_name);
   const double log_odds = of_change + log_odds_of_references(added, removed);

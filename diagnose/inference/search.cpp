@@ -283,7 +283,7 @@ class Searcher {
   /// Manufacturing tolerances, alone and beside what leads. Those of a joint alone are its own stiffness and
   /// rest, which are causes; those of a calibrated arm are summed out.
   void fit_beside_tolerances() {
-    if (!study_.scales().links || study_.experiment().arm_bench.calibration) return;
+    if (study_.scales().axes == 1 || study_.experiment().arm_bench.calibration) return;
     std::vector<Hypothesis> leading = leading_singles(beside_tolerances);
     for (std::size_t i = 0; i < std::min<std::size_t>(3, found_.hypotheses.size()); ++i)
       if (found_.hypotheses[i].candidate.effects.size() > 1) leading.push_back(found_.hypotheses[i]);

@@ -118,7 +118,7 @@ std::string other_control(const Run& run, const Channel& channel) {
   const std::vector<Channel> answering = run.answering();
   if (run.commands_joints() || std::find(answering.begin(), answering.end(), channel) == answering.end())
     return "";
-  const EndKind& end = end_kind(run.alone);
+  const EndKind& end = run.end();
   const std::string_view other = run.holds_end_point() ? end.by_load : end.by_place;
   return "; where the rig imposes it: control = \"" + std::string(other) + "\"";
 }

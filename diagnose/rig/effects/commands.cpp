@@ -83,7 +83,7 @@ std::vector<Effect> command_effects() {
        .add = [](const Addition& to) { to.rig.arm->compensated += to.value[0]; },
        .possible =
            [](const Place& at) {
-             return at.scales.has_frames && at.scales.nominal_weight && loads_show(at);
+             return at.scales.axes == 3 && at.scales.nominal_weight && loads_show(at);
            }},
   };
 }
