@@ -7,7 +7,7 @@ namespace plumbline::diagnose {
 const EndKind& end_kind(Alone alone) {
   using Name = Channel::Name;
   static const std::array kinds{EndKind{true,
-{Channel(Name::x), Channel(Name::y)},
+                                        {Channel(Name::x), Channel(Name::y)},
                                         {Channel(Name::Fx), Channel(Name::Fy)},
                                         {Channel(Name::Fx_2), Channel(Name::Fy_2)},
                                         "displacement",
@@ -16,7 +16,7 @@ const EndKind& end_kind(Alone alone) {
                                         true,
                                         "nothing: angle and torque are of a joint alone, nominal.joint"},
                                 EndKind{false,
-{Channel(Name::angle)},
+                                        {Channel(Name::angle)},
                                         {Channel(Name::torque)},
                                         {Channel(Name::torque_2)},
                                         "angle",
@@ -25,7 +25,7 @@ const EndKind& end_kind(Alone alone) {
                                         false,
                                         "nothing: a joint that turns has an angle and a torque"},
                                 EndKind{false,
-{Channel(Name::x)},
+                                        {Channel(Name::x)},
                                         {Channel(Name::Fx)},
                                         {Channel(Name::Fx_2)},
                                         "displacement",

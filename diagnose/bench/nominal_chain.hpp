@@ -45,6 +45,8 @@ struct NominalChain {
   [[nodiscard]] const EndKind& end() const { return end_kind(alone); }
   /// Whether a joint, from 0, slides; else it turns.
   [[nodiscard]] bool slides(std::size_t joint) const;
+  /// "joint 2", or the name that its file gives it.
+  [[nodiscard]] std::string joint_name(std::size_t joint) const;
   /// Of a joint's coordinate, "rad" or "m", and of its torque, "N m" or "N".
   [[nodiscard]] const char* joint_unit(std::size_t joint) const { return slides(joint) ? "m" : "rad"; }
   [[nodiscard]] const char* torque_unit(std::size_t joint) const { return slides(joint) ? "N" : "N m"; }

@@ -247,8 +247,7 @@ Posterior posterior(const Study& study, const Findings& findings) {
   }
   for (std::size_t i = 0; i < gaps.size(); ++i)
     if (gaps[i].of == Way::Of::listed)
-      move_to_what_is_seen(study, findings.hypotheses[gaps[i].hypothesis],
-                           weighed.probability[i], causes);
+      move_to_what_is_seen(study, findings.hypotheses[gaps[i].hypothesis], weighed.probability[i], causes);
   result.surely_part = surely_part(std::move(holding));
   for (auto& [label, probability] : result.effects) probability = std::min(1.0, probability);  // likewise
   for (auto& [labels, cause] : causes) {

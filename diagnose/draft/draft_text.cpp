@@ -174,7 +174,7 @@ std::string noise_lines(const std::vector<DraftedRun>& runs, bool same_columns) 
 std::string nominal_lines(const NominalChain& chain) {
   std::string text = chain.has_links() ? "link_length = " + list(chain.link_length)
                      : chain.slides(0) ? "joint = \"prismatic\""
-                                                    : "joint = \"revolute\"";
+                                       : "joint = \"revolute\"";
   text += "\njoint_stiffness = " + list(chain.joint_stiffness) + "\n";
   const auto weighs = [](double mass) { return mass > 0; };
   if (std::any_of(chain.link_mass.begin(), chain.link_mass.end(), weighs))

@@ -36,7 +36,7 @@ std::vector<Effect> bench_effects() {
        .parameters =
            [](const Place& at) {
              return at.scales.axes == 3 ? each_axis(ParameterKind::place, "d", at)
-                                         : std::vector{of(ParameterKind::eccentricity, "e", at)};
+                                        : std::vector{of(ParameterKind::eccentricity, "e", at)};
            },
        .add =
            [](const Addition& to) {

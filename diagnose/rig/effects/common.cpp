@@ -102,8 +102,8 @@ std::vector<Effect> common_effects() {
        .parameters =
            [](const Place& at) {
              return at.scales.axes == 3 ? places_of_axes(at)
-                                         : each(at, {"a", "ratio", length_tolerance(at) / at.scales.link,
-                                                     -0.2, 0.2, Which::all});
+                                        : each(at, {"a", "ratio", length_tolerance(at) / at.scales.link, -0.2,
+                                                    0.2, Which::all});
            },
        .add = add_lengths,
        .possible = several_links,

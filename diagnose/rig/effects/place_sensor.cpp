@@ -35,13 +35,13 @@ std::vector<Effect> place_sensor_effects() {
        .parameters =
            [](const Place& at) {
              return at.scales.axes == 3 ? some_of(ParameterKind::frame_angle, {"r_x", "r_y", "r_z"})(at)
-                                         : std::vector{of(ParameterKind::frame_angle, "eps", at)};
+                                        : std::vector{of(ParameterKind::frame_angle, "eps", at)};
            },
        // In space the frame is turned; in the plane what is read.
        .add =
            [](const Addition& to) {
              to.rig.place_turn += to.scales.axes == 3 ? Vector3<double>(-vector_of(to.value))
-                                                       : Vector3<double>(0, 0, to.value[0]);
+                                                      : Vector3<double>(0, 0, to.value[0]);
            },
        .possible = camera_reads},
   };
