@@ -1,5 +1,5 @@
-"""Writes docs/reference.md: every key that people write, out of the schemas, whose `description` is what a key means; the channels, out of
-the code; and the other formats.
+"""Writes docs/reference.md: every key that people write, out of the schemas, whose `description` is what a key means; channels and units,
+out of their tables in code; and the other formats.
 
 usage: reference.py [--check]
 
@@ -15,13 +15,13 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 TARGET = HERE / "reference.md"
 CODE = HERE.parent / "diagnose" / "bench"
+GREEK_MU = "μ"  # read as the micro sign, as which it looks
 # What has a channel.
 OWNERS = {"end": "", "joints": "", "chain": " of a chain", "arm": " of an arm in space"}
 HEAD = """# Reference: what files say
 
-Written by `docs/reference.py` out of the [schemas](schemas), which editors show at a key, and of the channels in code. SI units and radians; joints, links,
-tables count from 1, readings of a run from 0. Keys in **bold** are required. An effect is written `id`, or `id(j)` at joint or link j
-([catalogue](effects.md)). Units of the numbers, columns of sample files and what is refused stand under [experiments](experiment-format.md).
+Written by `docs/reference.py` out of the [schemas](schemas), which editors show at a key, and of the tables in code. Keys in **bold** are required. SI units and radians; joints, links, tables
+count from 1, readings of a run from 0. An effect is written `id`, or `id(j)` at joint or link j ([catalogue](effects.md)).
 """
 # (schema, heading, what it is, whether its tables have headings of their own; None: the tables alone)
 FORMATS = [
@@ -128,6 +128,18 @@ def channels():
         yield f"| {sensor.replace('_', ' ')} | {unit} | {'; '.join(', '.join(one) + owner for owner, one in names.items())} |\n"
 
 
+def units():
+    """A row for each kind of quantity, with its symbols of the table in code; a factor that is no power of ten beside its symbol."""
+    rows = re.findall(r'Symbol\{"([^"]+)", "([^"]+)", (\w+)(, 180)?\}', (CODE / "unit.cpp").read_text(encoding="utf-8"))
+    yield ("\n## Symbols of units\n\nA unit is a product of symbols with powers, separated by blanks, `*` or `·`; symbols after a `/` divide: `\"N mm/rad\"`, `\"m/s^2\"`. A number is a\n"
+           "factor: `\"0.0879 deg\"` for a count of an encoder. Decimals are exact: `300` mm and `0.3` m are the same number.\n\n| of | symbols, factors to SI |\n|---|---|\n")
+    for kind in dict.fromkeys(row[2] for row in rows):
+        shown = [f"`{name}`" + ("" if turns or re.fullmatch(r"1(e.*)?", factor) else f" {factor}")
+                 for name, factor, own, turns in rows if own == kind and GREEK_MU not in name]
+        yield f"| {kind} | {', '.join(shown)} |\n"
+    yield "\nFactors are those of the SI brochure (BIPM, 9th edition) and of NIST SP 811 (2008), appendix B.\n"
+
+
 def others():
     """Every schema without a section."""
     yield "\n## Other formats\n\nTheir schemas say every key. Keys may be added, and those there keep their meaning.\n\n"
@@ -137,7 +149,7 @@ def others():
             yield f"- [{name}](schemas/{path.name}): {json.loads(path.read_text(encoding='utf-8'))['title']}\n"
 
 
-text = HEAD + "".join([*(section(*one) for one in FORMATS), *channels(), *others()])
+text = HEAD + "".join([*(section(*one) for one in FORMATS), *channels(), *units(), *others()])
 if "--check" not in sys.argv:
     TARGET.write_text(text, encoding="utf-8")
 elif TARGET.read_text(encoding="utf-8") != text:
