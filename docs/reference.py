@@ -7,21 +7,19 @@ usage: reference.py [--check]
 tests/docs/input_formats.test.py and output_formats.test.py.
 """
 import json
-import re
 import sys
 import textwrap
 from pathlib import Path
 
+from code_tables import channels, units
+
 HERE = Path(__file__).resolve().parent
 TARGET = HERE / "reference.md"
-CODE = HERE.parent / "diagnose" / "bench"
-GREEK_MU = "μ"  # read as the micro sign, as which it looks
-# What has a channel.
-OWNERS = {"end": "", "joints": "", "chain": " of a chain", "arm": " of an arm in space"}
 HEAD = """# Reference: what files say
 
-Written by `docs/reference.py` out of the [schemas](schemas), which editors show at a key, and of the tables in code. Keys in **bold** are required. SI units and radians; joints, links, tables
-count from 1, readings of a run from 0. An effect is written `id`, or `id(j)` at joint or link j ([catalogue](effects.md)).
+Written by `docs/reference.py` out of the [schemas](schemas), which editors show at a key, and of the tables in code. Keys in **bold** are required.
+SI units and radians; joints, links, tables count from 1, readings of a run from 0. An effect is written `id`, or `id(j)` at joint or link j
+([catalogue](effects.md)).
 """
 # (schema, heading, what it is, whether its tables have headings of their own; None: the tables alone)
 FORMATS = [
@@ -29,7 +27,7 @@ FORMATS = [
     ("arm-experiment", "experiment.toml of an arm", "Beside the keys above, for an [arm in space](arms.md).", False),
     ("user-effects", "Effects of your own", "The file of `--effects` ([how](user-effects.md)).", False),
     ("label", "label.json", "The known cause of an experiment, read by `plumbline trial` alone.", False),
-    ("gap-diagnosis", "The report", "The parts of what `plumbline diagnose FOLDER --json` writes, and of the page of `--html` (`data-key`); the schema says their keys.", None),
+    ("gap-diagnosis", "The report", "The parts of what `plumbline diagnose FOLDER --json` writes, and of the page of `--html` (`data-key`); the schema has their keys.", None),
 ]
 
 
@@ -94,50 +92,22 @@ def sentence(words):
 def section(name, heading, said, divided):
     """A format's keys."""
     schema = Schema(name)
-    toml, deep = name.endswith("experiment"), divided is not None
+    deep = divided is not None
 
     def listed(node, whatever=False):
         members = {key: one for key, one in schema.members(node, whatever).items() if node is not schema.root or key not in tables}
         return "".join(entries(schema, members, schema.resolved(node, whatever).get("required", []) if deep else (), deep))
 
     tables = [key for key, node in schema.members(schema.root).items() if divided and schema.members(node, whatever=True)]
-    text = f"\n## {heading}\n\n{said}\n[schemas/{name}.schema.json](schemas/{name}.schema.json)\n\n" + listed(schema.root)
+    text = f"\n## {heading}\n\n{said} [schemas/{name}.schema.json](schemas/{name}.schema.json)\n\n" + listed(schema.root)
     for key in tables:
         node = schema.members(schema.root)[key]
-        title = key if not toml else f"[[{key}]]" if node.get("type") == "array" else f"[{key}]"
+        title = f"[[{key}]]" if node.get("type") == "array" else f"[{key}]"
         text += f"\n### {title}\n\n" + sentence(node.get("description", "")) + listed(node, whatever=True)
     for one in (schema.definitions.values() if divided else ()):
         if "title" in one:
             text += f"\n### {one['title']}\n\n{one['description']}\n\n" + listed(one)
     return text
-
-
-def channels():
-    """A row for each sensor, with its channels of the table in code."""
-    header, code = ((CODE / name).read_text(encoding="utf-8") for name in ("channel.hpp", "channel.cpp"))
-    sensors = re.search(r"enum class Sensor \{ (.*?) \}", header)[1].split(", ")
-    units = re.findall(r'"([^"]+)"', re.search(r"sensors> units\{(.*?)\}", code, re.S)[1])
-    rows = re.findall(r'ChannelKind\{Name::\w+,\s+"(\w+)",\s+"(\w+)",\s+Sensor::(\w+),\s+Of::(\w+),\s+Index::(\w+)', header)
-    yield "\n## Channels\n\nA channel is a column of readings; those of one sensor share the scale of their noise.\n\n| sensor | unit | channels |\n|---|---|---|\n"
-    for sensor, unit in zip(sensors, units, strict=True):
-        names = {}
-        for label, noise, own, owner, index in rows:
-            if own == sensor:
-                shown = {"none": f"`{label}`", "joint": f"`{label}1` …", "coordinate": f"`{'r' if label == 'r' else ''}x1` …"}[index]
-                names.setdefault(OWNERS[owner], []).append(shown + (f" (`noise.{noise}`)" if index != "none" and noise != label or index == "coordinate" else ""))
-        yield f"| {sensor.replace('_', ' ')} | {unit} | {'; '.join(', '.join(one) + owner for owner, one in names.items())} |\n"
-
-
-def units():
-    """A row for each kind of quantity, with its symbols of the table in code; a factor that is no power of ten beside its symbol."""
-    rows = re.findall(r'Symbol\{"([^"]+)", "([^"]+)", (\w+)(, 180)?\}', (CODE / "unit.cpp").read_text(encoding="utf-8"))
-    yield ("\n## Symbols of units\n\nA unit is a product of symbols with powers, separated by blanks, `*` or `·`; symbols after a `/` divide: `\"N mm/rad\"`, `\"m/s^2\"`. A number is a\n"
-           "factor: `\"0.0879 deg\"` for a count of an encoder. Decimals are exact: `300` mm and `0.3` m are the same number.\n\n| of | symbols, factors to SI |\n|---|---|\n")
-    for kind in dict.fromkeys(row[2] for row in rows):
-        shown = [f"`{name}`" + ("" if turns or re.fullmatch(r"1(e.*)?", factor) else f" {factor}")
-                 for name, factor, own, turns in rows if own == kind and GREEK_MU not in name]
-        yield f"| {kind} | {', '.join(shown)} |\n"
-    yield "\nFactors are those of the SI brochure (BIPM, 9th edition) and of NIST SP 811 (2008), appendix B.\n"
 
 
 def others():
