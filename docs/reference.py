@@ -26,7 +26,6 @@ FORMATS = [
     ("experiment", "experiment.toml", "Makes a folder an [experiment](experiment-format.md).", True),
     ("arm-experiment", "experiment.toml of an arm", "Beside the keys above, for an [arm in space](arms.md).", False),
     ("user-effects", "Effects of your own", "The file of `--effects` ([how](user-effects.md)).", False),
-    ("label", "label.json", "The known cause of an experiment, read by `plumbline trial` alone.", False),
     ("gap-diagnosis", "The report", "The parts of what `plumbline diagnose FOLDER --json` writes, and of the page of `--html` (`data-key`); the schema has their keys.", None),
 ]
 
