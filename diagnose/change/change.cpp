@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "diagnose/exchange/corrected.hpp"
 #include "diagnose/priors.hpp"
@@ -14,9 +13,11 @@ struct Side {
   RelativeReadings relative;
   Study study;
   Diagnosis diagnosis;
-  /// Logarithm of the share of the prior that the model of the reference keeps; nothing where that model
-  /// leaves more than noise.
-  std::optional<double> log_simplicity;
+  /// Logarithm of the share of the prior that the model of the reference keeps.
+  double log_simplicity;
+  /// Power at which the evidence counts between the senses: neighbouring readings share what the model of the
+  /// reference lacks.
+  double power;
 };
 
 /// The same readings with a nominal model that has what a diagnosis of them found, or a free law in its
@@ -32,12 +33,9 @@ Study corrected(const Study& study, const Diagnosis& diagnosis) {
 
 /// Of the best model of a state: the probability that it is the one, and the share of its parameters' prior
 /// that the readings leave.
-std::optional<double> log_simplicity(const Diagnosis& diagnosis) {
-  if (!diagnosis.gap.present) return std::log(priors::no_gap);
-  const Cause& cause = diagnosis.cause;
-  if (cause.verdict != CauseVerdict::identified && cause.verdict != CauseVerdict::ambiguous)
-    return std::nullopt;
-  const Hypothesis& best = cause.ranking.front().hypothesis;
+double log_simplicity(const Diagnosis& diagnosis) {
+  if (!diagnosis.gap.present || diagnosis.cause.ranking.empty()) return std::log(priors::no_gap);
+  const Hypothesis& best = diagnosis.cause.ranking.front().hypothesis;
   return std::log((1 - priors::no_gap) * (1 - priors::outside)) + best.log_prior + best.volume.log();
 }
 
@@ -51,12 +49,10 @@ Side side(const Study& reference, const Study& state,
   relative.experiment.name = state.experiment().name + " against " + reference.experiment().name;
   Study study = known.of(relative.experiment);
   Diagnosis diagnosis = diagnose(study, progress(part + 1));
-  return {std::move(relative), std::move(study), std::move(diagnosis), log_simplicity(alone)};
-}
-
-/// Logarithm of the odds that the model of the one reference is the simpler one.
-double log_odds_of_references(const Side& one, const Side& other) {
-  return one.log_simplicity && other.log_simplicity ? *one.log_simplicity - *other.log_simplicity : 0;
+  const CauseVerdict found = alone.cause.verdict;
+  const bool lacks = found == CauseVerdict::partial || found == CauseVerdict::unknown;
+  return {std::move(relative), std::move(study), std::move(diagnosis), log_simplicity(alone),
+          lacks ? priors::temper : 1};
 }
 
 /// The causes of a sense with this probability that are worth naming beside those of the likelier one.
@@ -82,10 +78,11 @@ Change what_changed(const Study& before, const Study& after, const std::function
     };
   };
   Side added = side(before, after, quarter, 0), removed = side(after, before, quarter, 2);
-  const double of_change = added.diagnosis.gap.log_odds - removed.diagnosis.gap.log_odds;
+  const double power = std::min(added.power, removed.power),
+               of_change = power * (added.diagnosis.gap.log_odds - removed.diagnosis.gap.log_odds);
   const bool same = same_cause(added.diagnosis, removed.diagnosis);
   const bool either = same && std::abs(of_change) < std::log(priors::wrong_over_further_name);
-  const double log_odds = of_change + log_odds_of_references(added, removed);
+  const double log_odds = of_change + power * (added.log_simplicity - removed.log_simplicity);
   const Sense sense = either ? Sense::either : log_odds >= 0 ? Sense::added : Sense::removed;
   Side &best = sense == Sense::removed ? removed : added, &other = sense == Sense::removed ? added : removed;
   const double probability = 1 / (1 + std::exp(-std::abs(log_odds)));

@@ -29,8 +29,9 @@ struct Change {
 /// cancels.
 ///
 /// Both senses explain both states, by the probability of the state of reference times that of the other one
-/// relative to it. Models that leave noise alone differ in the share of the prior that they keep: an effect
-/// came where the state before needs the simpler model.
+/// relative to it. Models of a reference differ in the share of the prior that they keep: an effect came
+/// where the state before needs the simpler model. Where they leave more than noise, that counts less, as
+/// evidence between causes does beside a discrepancy.
 /// \param progress  called now and then with the share of the work that is done
 /// \throws Error as relative_to and diagnose do
 Change what_changed(const Study& before, const Study& after,

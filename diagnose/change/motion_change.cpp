@@ -156,7 +156,7 @@ MotionChange what_changed(const motion::Bench& before, const motion::Bench& afte
 }
 
 Check check(const MotionChange& change) {
-  return check_of(change.diagnosis.gap);
+  return check_of(change.diagnosis.seen_gap);
 }
 
 }  // namespace plumbline::diagnose

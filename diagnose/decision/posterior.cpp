@@ -149,14 +149,33 @@ void move_to_what_is_seen(const Study& study, const Hypothesis& hypothesis, doub
   }
 }
 
-}  // namespace
-
+/// Logarithms of the probabilities of all ways, where the evidence counts to a power.
 std::vector<double> log_weights(const std::vector<Way>& all, double power) {
   std::vector<double> weight;
   for (const Way& one : all) weight.push_back(one.log_prior + power * one.log_evidence);
   const double sum = log_sum(weight);
   for (double& one : weight) one -= sum;
   return weight;
+}
+
+}  // namespace
+
+Weighed weigh(const std::vector<Way>& all) {
+  const std::vector<Way> gaps(all.begin() + 1, all.end());
+  const std::vector<double> log_probability = log_weights(all, 1), plain = log_weights(gaps, 1);
+  const std::vector<double> of_gaps(log_probability.begin() + 1, log_probability.end());
+  Weighed result;
+  result.gap.no_gap = std::exp(log_probability.front());
+  result.gap.log_odds_of_gap = log_sum(of_gaps) - log_probability.front();
+  double discrepancy = 0;
+  for (std::size_t i = 0; i < gaps.size(); ++i) {
+    if (gaps[i].log_evidence > all.front().log_evidence) result.gap.seen_gap += std::exp(of_gaps[i]);
+    discrepancy += std::exp(plain[i]) * gaps[i].discrepancy;
+  }
+  result.gap.temper = 1 - discrepancy * (1 - priors::temper);
+  for (const double weight : log_weights(gaps, result.gap.temper))
+    result.probability.push_back((1 - result.gap.no_gap) * std::exp(weight));
+  return result;
 }
 
 double discrepancy_share(const Study& study, const Findings& findings, const Hypothesis& hypothesis) {
@@ -206,23 +225,14 @@ std::vector<Way> ways(const Study& study, const Findings& findings) {
 
 Posterior posterior(const Study& study, const Findings& findings) {
   const std::vector<Way> all = ways(study, findings), gaps(all.begin() + 1, all.end());
+  const Weighed weighed = weigh(all);
   Posterior result;
-  const std::vector<double> log_probability = log_weights(all, 1);
-  const std::vector<double> of_gaps(log_probability.begin() + 1, log_probability.end());
-  result.no_gap = std::exp(log_probability.front());
-  result.log_odds_of_gap = log_sum(of_gaps) - log_probability.front();
-  for (std::size_t i = 0; i < gaps.size(); ++i)
-    if (gaps[i].log_evidence > all.front().log_evidence) result.seen_gap += std::exp(of_gaps[i]);
-  double discrepancy = 0;
-  const std::vector<double> plain = log_weights(gaps, 1);
-  for (std::size_t i = 0; i < gaps.size(); ++i) discrepancy += std::exp(plain[i]) * gaps[i].discrepancy;
-  result.temper = 1 - discrepancy * (1 - priors::temper);
-  const std::vector<double> weight = log_weights(gaps, result.temper);
+  static_cast<GapPosterior&>(result) = weighed.gap;
   Causes causes;
   std::vector<Holding> holding;
   double most = 0;
   for (std::size_t i = 0; i < gaps.size(); ++i) {
-    const double p = (1 - result.no_gap) * std::exp(weight[i]);
+    const double p = weighed.probability[i];
     if (gaps[i].of == Way::Of::outside) result.outside += p;
     if (gaps[i].hypothesis == Way::none) continue;
     const Candidate& candidate = findings.hypotheses[gaps[i].hypothesis].candidate;
@@ -237,8 +247,7 @@ Posterior posterior(const Study& study, const Findings& findings) {
   }
   for (std::size_t i = 0; i < gaps.size(); ++i)
     if (gaps[i].of == Way::Of::listed)
-      move_to_what_is_seen(study, findings.hypotheses[gaps[i].hypothesis],
-                           (1 - result.no_gap) * std::exp(weight[i]), causes);
+      move_to_what_is_seen(study, findings.hypotheses[gaps[i].hypothesis], weighed.probability[i], causes);
   result.surely_part = surely_part(std::move(holding));
   for (auto& [label, probability] : result.effects) probability = std::min(1.0, probability);  // likewise
   for (auto& [labels, cause] : causes) {

@@ -38,15 +38,26 @@ struct Way {
 /// priors of its size.
 std::vector<Way> ways(const Study& study, const Findings& findings);
 
-/// Logarithms of the probabilities of all ways, where the evidence counts to a power.
-std::vector<double> log_weights(const std::vector<Way>& all, double power);
-
-struct Posterior {
+/// Whether there is a gap, by the evidence as it is, and how probable each way of a gap is.
+struct GapPosterior {
   double no_gap = 0;
   double log_odds_of_gap = 0;  ///< over no gap
   /// Probability of the explanations of a gap for which the readings speak: with them they are more probable
   /// than with noise alone. A gap may be too small to be seen.
   double seen_gap = 0;
+  /// Power at which the evidence counts between causes: one where no discrepancy is beside them.
+  double temper = 1;
+};
+
+struct Weighed {
+  GapPosterior gap;
+  std::vector<double> probability;  ///< of all ways but the first, by the evidence to the power of the temper
+};
+
+/// \param all  the nominal model and noise first
+Weighed weigh(const std::vector<Way>& all);
+
+struct Posterior : GapPosterior {
   double outside = 0;
   std::vector<CauseProbability> causes;  ///< most probable first
   /// By label: that an effect is part of the cause, whether or not something outside of the catalogue is too.
@@ -58,8 +69,6 @@ struct Posterior {
   std::size_t leading = Way::none;
   /// Whether nothing but noise near the declared one is left beside the most probable cause of the catalogue.
   bool leaves_nothing = false;
-  /// Power at which the evidence counts between causes: one where no discrepancy is beside them.
-  double temper = 1;
 };
 
 /// Whether there is a gap is decided by the evidence as it is; what its cause is by the evidence to the power

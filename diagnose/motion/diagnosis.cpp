@@ -95,6 +95,7 @@ Diagnosis diagnose_motion(const Study& study, const std::function<void(double)>&
   result.look = look_at(study.bench().logs);
   result.verdict = verdict.verdict;
   result.gap = 1 - posterior.no_gap;
+  result.seen_gap = posterior.seen_gap;
   result.outside = posterior.outside;
   result.or_outside = verdict.or_outside;
   constexpr std::size_t most_ranked = 8;

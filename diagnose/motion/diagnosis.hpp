@@ -44,6 +44,7 @@ struct Diagnosis {
   LogsLook look;
   diagnose::CauseVerdict verdict;
   double gap = 0;                   ///< probability that there is one
+  double seen_gap = 0;              ///< as diagnose::GapPosterior
   double outside = 0;               ///< probability of a cause outside of the catalogue
   bool or_outside = false;          ///< whether that is one of the alternatives
   std::string rest;                 ///< why something is left beside what is named; empty where nothing is

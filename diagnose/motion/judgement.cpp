@@ -10,7 +10,7 @@
 namespace plumbline::motion {
 namespace {
 
-using diagnose::Posterior, diagnose::Way, diagnose::log_sum, diagnose::log_weights, diagnose::sum;
+using diagnose::Posterior, diagnose::Way, diagnose::log_sum, diagnose::sum;
 
 std::vector<std::string> labels_of(const Candidate& candidate) {
   std::vector<std::string> labels;
@@ -52,16 +52,12 @@ std::vector<Way> ways(const Findings& findings) {
 
 Posterior posterior(const Findings& findings) {
   const std::vector<Way> all = ways(findings), gaps(all.begin() + 1, all.end());
+  const diagnose::Weighed weighed = diagnose::weigh(all);
   Posterior result;
-  result.no_gap = std::exp(log_weights(all, 1).front());
-  const std::vector<double> plain = log_weights(gaps, 1);
-  double discrepancy = 0;
-  for (std::size_t i = 0; i < gaps.size(); ++i) discrepancy += std::exp(plain[i]) * gaps[i].discrepancy;
-  result.temper = 1 - discrepancy * (1 - diagnose::priors::temper);
-  const std::vector<double> weight = log_weights(gaps, result.temper);
+  static_cast<diagnose::GapPosterior&>(result) = weighed.gap;
   double most = 0;
   for (std::size_t i = 0; i < gaps.size(); ++i) {
-    const double p = (1 - result.no_gap) * std::exp(weight[i]);
+    const double p = weighed.probability[i];
     if (gaps[i].of == Way::Of::outside) result.outside += p;
     if (gaps[i].hypothesis == Way::none) continue;
     const std::vector<std::string> labels = labels_of(findings.hypotheses[gaps[i].hypothesis].candidate);

@@ -1,26 +1,22 @@
 #!/usr/bin/env python3
 """Scores diagnoses of sealed logs of motion.
 
-    score.py PLUMBLINE EXPERIMENTS LABELS [--reports FOLDER] [--markdown FILE]
+    score.py PLUMBLINE EXPERIMENTS LABELS [--reports FOLDER] [--markdown FILE] [--jobs J]
 
 *named*: the causes planted are those of the answer, alone, or as one of its alternatives; *part*: one of two is named; *wrong, sure*: a cause that is not
 there is identified.
 """
-import argparse
 import collections
 import json
 import pathlib
 import resource
-import subprocess
-import tempfile
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+
+from scoring import arguments, diagnosed, for_each_experiment, table  # noqa: E402
 
 ANSWERS = ("named alone", "named in a class", "part", "unknown", "missed", "wrong, hedged", "wrong, sure", "right (no gap)", "false alarm", "no report")
-
-
-def report_of(plumbline, experiment, out):
-    if not out.exists():
-        subprocess.run([plumbline, "diagnose", experiment, "--json", out], capture_output=True, timeout=1200, check=False)
-    return json.loads(out.read_text()) if out.exists() else None
 
 
 def accepted(label):
@@ -56,35 +52,28 @@ def answer(label, said):
     return "wrong, sure" if verdict == "identified" else "wrong, hedged"
 
 
+def judged(a, name):
+    label = json.loads(json.loads((a.labels / f"{name}.json").read_text())["label"])
+    said = diagnosed(a, name, a.experiments / name)
+    return name, label, answer(label, said), said
+
+
+def miss(name, label, verdict, said):
+    named = said and (said["verdict"], ["+".join(e["effect"] for e in one["effects"]) for one in said["causes"]])
+    known = ", numbers unknown" if label["unknown"] else ""
+    return f"- {name}: {' + '.join(label['causes']) or 'nothing'} ({label['rate']} Hz{known}); {verdict}: {named}"
+
+
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("plumbline", type=pathlib.Path)
-    parser.add_argument("experiments", type=pathlib.Path)
-    parser.add_argument("labels", type=pathlib.Path)
-    parser.add_argument("--reports", type=pathlib.Path)
-    parser.add_argument("--markdown", type=pathlib.Path)
-    a = parser.parse_args()
-    reports = a.reports or pathlib.Path(tempfile.mkdtemp())
-    reports.mkdir(parents=True, exist_ok=True)
-    counts, lines = collections.defaultdict(collections.Counter), []
-    for path in sorted(p for p in a.experiments.iterdir() if p.is_dir()):
-        label = json.loads(json.loads((a.labels / f"{path.name}.json").read_text())["label"])
-        said = report_of(a.plumbline.resolve(), path, reports / f"{path.name}.json")
-        verdict = answer(label, said)
-        counts["all"][verdict] += 1
-        counts[label["kind"]][verdict] += 1
-        counts["numbers unknown" if label["unknown"] else "numbers stated"][verdict] += 1
-        if verdict not in ("named alone", "named in a class", "right (no gap)"):
-            named = said and (said["verdict"], ["+".join(e["effect"] for e in one["effects"]) for one in said["causes"]])
-            known = ", numbers unknown" if label["unknown"] else ""
-            lines.append(f"{path.name}: {' + '.join(label['causes']) or 'nothing'} ({label['rate']} Hz{known}); {verdict}: {named}")
-        print(path.name, label["causes"], verdict, flush=True)
-    table = ["| | n | " + " | ".join(ANSWERS) + " |", "|---|---:|" + "---:|" * len(ANSWERS)]
-    for title, count in counts.items():
-        table.append(f"| {title} | {sum(count.values())} | " + " | ".join(str(count[one] or "") for one in ANSWERS) + " |")
-    spent = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
-    text = "\n".join(table) + "\n\n" + "\n".join(f"- {one}" for one in lines)
-    print(text + f"\n\nprocessor time {spent:.0f} s")
+    a = arguments(__doc__)
+    all_judged = for_each_experiment(a, lambda name: judged(a, name))
+    families = collections.defaultdict(list)
+    for _, label, verdict, _ in all_judged:
+        for family in ("all", label["kind"], "numbers unknown" if label["unknown"] else "numbers stated"):
+            families[family].append(verdict)
+    missed = [miss(*one) for one in all_judged if one[2] not in ("named alone", "named in a class", "right (no gap)")]
+    text = table(families.items(), ANSWERS) + "\n\n" + "\n".join(missed)
+    print(f"{text}\n\nprocessor time {resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime:.0f} s")
     if a.markdown:
         a.markdown.write_text(text + "\n")
 

@@ -1,18 +1,18 @@
 #!/usr/bin/env python3
 """Scores what is said to have changed, and beside it the same data diagnosed singly.
 
-    score.py PLUMBLINE PAIRS LABELS [--reports FOLDER] [--markdown FILE] [--jobs J]
+    score.py PLUMBLINE EXPERIMENTS LABELS [--reports FOLDER] [--markdown FILE] [--jobs J]
 
 Of the single diagnoses the one of the state with the effect counts: it is right where the effect is named, alone or in a class, and where the
 device lacks another effect too, beside that one.
 """
-import argparse
-import collections
-import concurrent.futures
 import json
 import pathlib
-import subprocess
-import tempfile
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+
+from scoring import arguments, diagnosed, for_each_experiment, table  # noqa: E402
 
 ANSWERS = ("right", "in the class", "unknown", "missed", "wrong, hedged", "wrong, sure", "false alarm", "no report")
 
@@ -28,12 +28,6 @@ def named(text):
 
 def key(effect):
     return named(effect["id"] + (f"({effect['joint']})" if effect.get("joint") else ""))
-
-
-def report(plumbline, out, *words):
-    if not out.exists():
-        subprocess.run([plumbline, "diagnose", *words, "--as-is", "--json", out], capture_output=True, timeout=600, check=False)
-    return json.loads(out.read_text()) if out.exists() else None
 
 
 def keys(effects):
@@ -90,44 +84,24 @@ def single(label, said, lack):
 
 def judged(a, name):
     label = json.loads((a.labels / f"{name}.json").read_text())
-    pair = a.pairs / name
-    both = report(a.plumbline, a.reports / f"{name}.json", pair / "after", "--against", pair / "before")
+    pair = a.experiments / name
+    both = diagnosed(a, name, pair / "after", "--against", pair / "before", "--as-is")
     changed = "after" if label["came"] else "before"
-    one = report(a.plumbline, a.reports / f"{name}-alone.json", pair / changed)
+    one = diagnosed(a, f"{name}-alone", pair / changed, "--as-is")
     sense = ("added" if label["came"] else "removed") if label["one_sided"] else None
     return name, label, answer(label, both, sense), single(label, one, label["lack"]), both
 
 
-def table(rows):
-    lines = ["| | n | " + " | ".join(ANSWERS) + " |", "|---|---:|" + "---:|" * len(ANSWERS)]
-    for title, answers in rows:
-        count = collections.Counter(answers)
-        lines.append(f"| {title} | {len(answers)} | " + " | ".join(str(count[a] or "") for a in ANSWERS) + " |")
-    return "\n".join(lines)
-
-
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("plumbline", type=pathlib.Path)
-    parser.add_argument("pairs", type=pathlib.Path)
-    parser.add_argument("labels", type=pathlib.Path)
-    parser.add_argument("--reports", type=pathlib.Path)
-    parser.add_argument("--markdown", type=pathlib.Path)
-    parser.add_argument("--jobs", type=int, default=1)
-    a = parser.parse_args()
-    a.plumbline = a.plumbline.resolve()
-    a.reports = a.reports or pathlib.Path(tempfile.mkdtemp())
-    a.reports.mkdir(parents=True, exist_ok=True)
-    names = sorted(path.name for path in a.pairs.iterdir())
-    with concurrent.futures.ThreadPoolExecutor(a.jobs) as pool:
-        all_judged = list(pool.map(lambda name: judged(a, name), names))
+    a = arguments(__doc__)
+    all_judged = for_each_experiment(a, lambda name: judged(a, name))
     families = sorted({label["family"] for _, label, *_ in all_judged})
     rows = []
     for family in [None, *families]:
         some = [one for one in all_judged if family in (None, one[1]["family"])]
         rows.append((f"{family or 'all'}: one against the other", [one[2] for one in some]))
         rows.append((f"{family or 'all'}: singly", [one[3] for one in some]))
-    text = table(rows)
+    text = table(rows, ANSWERS)
     print(text)
     for name, label, verdict, alone, both in all_judged:
         if verdict not in ("right", "in the class"):
