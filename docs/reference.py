@@ -1,4 +1,5 @@
-"""Writes docs/reference.md: every key of the formats, out of the schemas, whose `description` is what a key means.
+"""Writes docs/reference.md: every key that people write, out of the schemas, whose `description` is what a key means; channels and units,
+out of their tables in code; and the other formats.
 
 usage: reference.py [--check]
 
@@ -10,26 +11,23 @@ import sys
 import textwrap
 from pathlib import Path
 
+from code_tables import channels, units
+
 HERE = Path(__file__).resolve().parent
 TARGET = HERE / "reference.md"
-HEAD = """# Reference: keys of the formats
+HEAD = """# Reference: what files say
 
-Written by `docs/reference.py` out of the [schemas](schemas), which editors show at a key. SI units and radians; joints, links, tables count from 1,
-readings of a run from 0. An effect is written `id`, or `id(j)` where it acts at joint or link j; ids and their parameters are those of the
-[catalogue](effects.md). Keys may be added; those below keep their meaning. Symbols of units, the columns of sample files and what is refused stand under [experiments](experiment-format.md).
+Written by `docs/reference.py` out of the [schemas](schemas), which editors show at a key, and of the tables in code. Keys in **bold** are required.
+SI units and radians; joints, links, tables count from 1, readings of a run from 0. An effect is written `id`, or `id(j)` at joint or link j
+([catalogue](effects.md)).
 """
-# (schema, heading, what it is, whether its tables have headings of their own)
+# (schema, heading, what it is, whether its tables have headings of their own; None: the tables alone)
 FORMATS = [
-    ("experiment", "experiment.toml", "A folder with one is an [experiment](experiment-format.md). Keys in **bold** are required.", True),
-    ("arm-experiment", "experiment.toml of an arm", "That of an [arm in space](arms.md).", False),
+    ("experiment", "experiment.toml", "Makes a folder an [experiment](experiment-format.md).", True),
+    ("arm-experiment", "experiment.toml of an arm", "Beside the keys above, for an [arm in space](arms.md).", False),
     ("user-effects", "Effects of your own", "The file of `--effects` ([how](user-effects.md)).", False),
-    ("label", "label.json", "The known cause of an experiment, read by `plumbline trial` alone.", False),
-    ("gap-diagnosis", "The report", "What `plumbline diagnose FOLDER --json` writes; the page of `--html` carries the same places (`data-key`).", True),
-    ("gap-campaign", "The report of many", "What `plumbline diagnose FOLDER FOLDER … --json` writes ([how](many-experiments.md)).", False),
-    ("experiment-plan", "The plan", "What `plumbline diagnose FOLDER --plan --json` writes ([how](plan.md)).", False),
+    ("gap-diagnosis", "The report", "The parts of what `plumbline diagnose FOLDER --json` writes, and of the page of `--html` (`data-key`); the schema has their keys.", None),
 ]
-# These say all their keys but for those that are said to be absent.
-REPORTS = ("gap-diagnosis", "gap-campaign", "experiment-plan")
 
 
 class Schema:
@@ -60,7 +58,7 @@ class Schema:
         return self.resolved(node, whatever).get("properties", {})
 
     def words(self, node):
-        """What a key means, and its values where that does not name them."""
+        """What a key means, and its values unless that names them."""
         said = node.get("description", "")
         values = [f'`"{value}"`' for value in [*node.get("enum", []), node.get("const")] if isinstance(value, str)]
         if all(value.strip('`"') in said for value in values):
@@ -74,12 +72,12 @@ class Schema:
         return {key: one for key, one in inner.items() if not named or any(isinstance(value, str) for value in one.get("enum", []))}
 
 
-def entries(schema, members, required, depth=0):
+def entries(schema, members, required, deep=True, depth=0):
     """A line for each key, and below it those of its own table; keys of one meaning share a line."""
     names = {}
     for key, node in members.items():
-        words = "as in the report" if key == "provenance" and "description" not in node else schema.words(node)
-        inner = "".join(entries(schema, schema.keys(node, words), (), depth + 1))
+        words = schema.words(node)
+        inner = "".join(entries(schema, schema.keys(node, words), (), depth=depth + 1)) if deep else ""
         names.setdefault((words, inner), []).append(f"**`{key}`**" if key in required else f"`{key}`")
     for (words, inner), keys in names.items():
         yield textwrap.fill("- " + ", ".join(keys) + (f": {words}" if words else ""), 150, initial_indent="  " * depth,
@@ -91,19 +89,19 @@ def sentence(words):
 
 
 def section(name, heading, said, divided):
+    """A format's keys."""
     schema = Schema(name)
-    toml = name.endswith("experiment")
+    deep = divided is not None
 
     def listed(node, whatever=False):
-        required = schema.resolved(node, whatever).get("required", []) if name not in REPORTS else ()
-        return "".join(entries(schema, {key: one for key, one in schema.members(node, whatever).items() if node is not schema.root or key not in tables},
-                               required))
+        members = {key: one for key, one in schema.members(node, whatever).items() if node is not schema.root or key not in tables}
+        return "".join(entries(schema, members, schema.resolved(node, whatever).get("required", []) if deep else (), deep))
 
     tables = [key for key, node in schema.members(schema.root).items() if divided and schema.members(node, whatever=True)]
-    text = f"\n## {heading}\n\n{said}\n[schemas/{name}.schema.json](schemas/{name}.schema.json)\n\n" + listed(schema.root)
+    text = f"\n## {heading}\n\n{said} [schemas/{name}.schema.json](schemas/{name}.schema.json)\n\n" + listed(schema.root)
     for key in tables:
         node = schema.members(schema.root)[key]
-        title = key if not toml else f"[[{key}]]" if node.get("type") == "array" else f"[{key}]"
+        title = f"[[{key}]]" if node.get("type") == "array" else f"[{key}]"
         text += f"\n### {title}\n\n" + sentence(node.get("description", "")) + listed(node, whatever=True)
     for one in (schema.definitions.values() if divided else ()):
         if "title" in one:
@@ -111,7 +109,16 @@ def section(name, heading, said, divided):
     return text
 
 
-text = HEAD + "".join(section(*one) for one in FORMATS)
+def others():
+    """Every schema without a section."""
+    yield "\n## Other formats\n\nTheir schemas say every key. Keys may be added, and those there keep their meaning.\n\n"
+    for path in sorted((HERE / "schemas").glob("*.schema.json")):
+        name = path.name.split(".")[0]
+        if name not in (one[0] for one in FORMATS):
+            yield f"- [{name}](schemas/{path.name}): {json.loads(path.read_text(encoding='utf-8'))['title']}\n"
+
+
+text = HEAD + "".join([*(section(*one) for one in FORMATS), *channels(), *units(), *others()])
 if "--check" not in sys.argv:
     TARGET.write_text(text, encoding="utf-8")
 elif TARGET.read_text(encoding="utf-8") != text:

@@ -34,8 +34,4 @@ struct CorrectedArm {
 /// \throws Error as read_arm() does, and where the arms have not the same joints
 Written edited(const CorrectedArm& corrected);
 
-/// A module in Python, which needs numpy alone: `tip_pose(command, wrench)`, the pose of the tip under
-/// gravity and a wrench, joints and links yielding.
-Written as_python(const CorrectedArm& corrected);
-
 }  // namespace plumbline::exchange

@@ -17,7 +17,7 @@ from documents import ROOT, SCHEMAS, blocks, keys, tables
 from program import complaint
 
 EXPERIMENTS, CHAINS = ROOT / "docs" / "experiment-format.md", ROOT / "docs" / "chain-format.md"
-USER_EFFECTS = ROOT / "docs" / "user-effects.md"
+USER_EFFECTS, REFERENCE = ROOT / "docs" / "user-effects.md", ROOT / "docs" / "reference.md"
 TABLES = ["Top level", "[nominal]", "[[nominal.effect]]", "[[nominal.torque_law]]", "[bench]", "[[load]]", "[noise]", "[units]", "[csv]", "[columns]", "[[run]]"]
 
 
@@ -61,7 +61,7 @@ EXPERIMENT = {
 SAMPLES = "t,x,y,Fx,Fy,q1,q2,T,Gx,Gy,tension,P,L1,L2\n0,9,0,0,0,0,0,20,0,0,0,0,0,0\n1,9,0,0,0,0,0,20,0,0,1,1,0,0\n"
 # Where a unit of the kind can stand, and what makes it one.
 UNITS = {"length": ("link_length", ""), "torque": ("joint_stiffness", "/rad"), "mass": ("link_mass", ""),
-         "angle": ("rest", ""), "force": ("joint_stiffness", " m/rad"), "pressure": ("joint_stiffness", " m^3/rad"), "time": ("gravity", "^2")}
+         "angle": ("rest", ""), "force": ("joint_stiffness", " m/rad"), "pressure": ("joint_stiffness", " m^3/rad"), "duration": ("gravity", "^2")}
 
 
 def toml(value):
@@ -133,11 +133,11 @@ def column_keys(folder, schema):
 
 
 def units(folder):
-    """Every symbol of the document is one that the program reads."""
-    for kind, symbols in tables(EXPERIMENTS)["Units"][0][1:]:
+    """Every symbol of the reference is one that the program reads."""
+    for kind, symbols in tables(REFERENCE)["Symbols of units"][0][1:]:
         key, suffix = UNITS[kind]
         for symbol in re.findall(r"`([^`]+)`", symbols):
-            unit = f"m/{symbol}^2" if kind == "time" else symbol + suffix
+            unit = f"m/{symbol}^2" if kind == "duration" else symbol + suffix
             fault = experiment_fault(folder, changed("[units]", lambda table, u=unit, k=key: table.update({k: u})))
             assert "a unit of" not in fault, fault
 
