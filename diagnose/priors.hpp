@@ -1,7 +1,7 @@
 #pragma once
 /// \file
 /// Every opinion of the diagnosis, in one table: prior probabilities and scales, losses.
-/// docs/how-it-decides.md says what each is for. The prior of sizes is a law, in inference/size_prior.hpp.
+/// docs/how-it-decides.md says what each is for.
 
 #include <array>
 
@@ -25,6 +25,9 @@ inline constexpr double zero_tolerance = 0.001, axis_tolerance = 0.0003;
 inline constexpr double no_gap = 0.3;
 /// Probability that the cause of a gap is outside of the catalogue.
 inline constexpr double outside = 0.1;
+/// Sizes of effects and of causes outside, over their typical size: any order of magnitude from this one up
+/// to 1 is as probable (inference/size_prior.hpp).
+inline constexpr double smallest_typical = 1.0 / 27;
 /// What it typically changes, over what the readings of a channel differ by: scale of a half-Cauchy density.
 /// The shares of its kinds are those of the rows of outside/outside_cause.hpp.
 inline constexpr double typical_outside = 0.1;
@@ -71,6 +74,15 @@ inline constexpr double part_of_it = 0.9;
 /// Share of the residual of readings that it has not seen which a cause may leave beyond noise and be the
 /// whole cause.
 inline constexpr double whole_cause_leaves = 0.2;
+
+// ---- Two states of one device ----
+
+/// Share of the range of each command within which two commands are the same. What a model lacks varies with
+/// the command over its whole range, so that of two places so near it is the same to about this share.
+inline constexpr double same_command = 0.02;
+/// A check is sure where a change that the readings speak for is less probable than this, or more probable
+/// than one less this.
+inline constexpr double check_is_sure = 0.05;
 
 // ---- Losses ----
 

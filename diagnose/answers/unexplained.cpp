@@ -73,16 +73,16 @@ Channel moves_most(const Experiment& experiment, const Run& like) {
                            [&](const Channel& a, const Channel& b) { return spread(a) < spread(b); });
 }
 
-/// Of a chain in the plane the one along which it is commanded, of an arm the commands of its joints.
+/// The commands of the joints, or what is imposed on the end.
 std::vector<Abscissa> abscissae(const Experiment& experiment, const Run& like) {
-  if (!experiment.arm) {
+  if (!like.commands_joints()) {
     const Channel over = moves_most(experiment, like);
     return {{over.label(), std::string(over.unit()),
              [over](const Reading& reading) { return over.of(reading); }}};
   }
   std::vector<Abscissa> all;
-  for (std::size_t j = 0; j < experiment.arm->arm.size(); ++j)
-    all.push_back({"the command of " + experiment.arm->joint[j], experiment.joint_unit(j),
+  for (std::size_t j = 0; j < like.rest.size(); ++j)
+    all.push_back({"the command of " + experiment.joint_name(j), experiment.joint_unit(j),
                    [j](const Reading& reading) { return reading.rest[j]; }});
   return all;
 }

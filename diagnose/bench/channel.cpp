@@ -29,9 +29,13 @@ std::string Channel::label() const {
   return stem;
 }
 
-std::string_view Channel::unit() const {
+std::string_view unit(Sensor sensor) {
   constexpr std::array<std::string_view, sensors> units{"m", "N", "rad", "rad", "N m", "N", "N m"};
-  return units[place_of(sensor())];
+  return units[place_of(sensor)];
+}
+
+std::string_view Channel::unit() const {
+  return diagnose::unit(sensor());
 }
 
 double& Channel::in(Reading& reading) const {

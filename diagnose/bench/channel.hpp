@@ -25,6 +25,8 @@ constexpr std::size_t place_of(Sensor sensor) {
   return static_cast<std::size_t>(sensor);
 }
 
+/// "m", "N", "rad" or "N m".
+std::string_view unit(Sensor sensor);
 /// "position", "force", "angle", "orientation", "torque", "second force" or "second torque".
 std::string label(Sensor sensor);
 

@@ -358,7 +358,7 @@ void add_channel_of_joint(const Experiment& e, const Channel& channel, const Nam
 }
 
 std::vector<Conversion> conversions_of_joint(const Experiment& e) {
-  const EndKind& end = end_kind(e.alone);
+  const EndKind& end = e.end();
   const bool slides = e.slides(0);
   std::vector<Conversion> all;
   add_channel_of_joint(e, end.load.front(), slides ? forces : torques,

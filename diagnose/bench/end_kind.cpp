@@ -6,7 +6,8 @@ namespace plumbline::diagnose {
 
 const EndKind& end_kind(Alone alone) {
   using Name = Channel::Name;
-  static const std::array kinds{EndKind{{Channel(Name::x), Channel(Name::y)},
+  static const std::array kinds{EndKind{true,
+                                        {Channel(Name::x), Channel(Name::y)},
                                         {Channel(Name::Fx), Channel(Name::Fy)},
                                         {Channel(Name::Fx_2), Channel(Name::Fy_2)},
                                         "displacement",
@@ -14,7 +15,8 @@ const EndKind& end_kind(Alone alone) {
                                         Sensor::angle,
                                         true,
                                         "nothing: angle and torque are of a joint alone, nominal.joint"},
-                                EndKind{{Channel(Name::angle)},
+                                EndKind{false,
+                                        {Channel(Name::angle)},
                                         {Channel(Name::torque)},
                                         {Channel(Name::torque_2)},
                                         "angle",
@@ -22,7 +24,8 @@ const EndKind& end_kind(Alone alone) {
                                         Sensor::angle,
                                         false,
                                         "nothing: a joint that turns has an angle and a torque"},
-                                EndKind{{Channel(Name::x)},
+                                EndKind{false,
+                                        {Channel(Name::x)},
                                         {Channel(Name::Fx)},
                                         {Channel(Name::Fx_2)},
                                         "displacement",

@@ -6,11 +6,15 @@
 #include <vector>
 
 #include "diagnose/bench/channel.hpp"
-#include "diagnose/bench/nominal_chain.hpp"
 
 namespace plumbline::diagnose {
 
+/// A joint alone has no links: its angle and its torque are all there is of it, or the stroke and the force
+/// of one that slides.
+enum class Alone { no, turns, slides };
+
 struct EndKind {
+  bool has_links;                      ///< behind the end: they have lengths and angles, and may buckle
   std::vector<Channel> place;          ///< where the end point, or the joint, is
   std::vector<Channel> load;           ///< what the environment does to it
   std::vector<Channel> second;         ///< the load once more, by a second sensor

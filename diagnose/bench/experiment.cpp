@@ -38,11 +38,11 @@ std::size_t Branch::first() const {
 }
 
 std::vector<Channel> Run::imposed() const {
-  return holds_end_point() ? end_kind(alone).place : end_kind(alone).load;
+  return holds_end_point() ? end().place : end().load;
 }
 
 std::vector<Channel> Run::answering() const {
-  return holds_end_point() ? end_kind(alone).load : end_kind(alone).place;
+  return holds_end_point() ? end().load : end().place;
 }
 
 Eigen::Vector2d Run::imposed_at(const Reading& reading) const {
@@ -116,9 +116,9 @@ std::vector<Channel> Run::measurable() const {
       for (std::size_t j = 0; kind.of == of && kind.index == ChannelKind::Index::joint && j < joints; ++j)
         channels.emplace_back(kind.name, j, joints);
   };
-  if (end_kind(alone).joint_angles) add_joints(Of::joints);
-  for (const Channel& channel : end_kind(alone).second) channels.push_back(channel);
-  if (points == 0 && end_kind(alone).joint_angles) add_joints(Of::chain);
+  if (end().joint_angles) add_joints(Of::joints);
+  for (const Channel& channel : end().second) channels.push_back(channel);
+  if (points == 0 && end().joint_angles) add_joints(Of::chain);
   for (std::size_t p = 0; p < points; ++p)
     for (const Name name : {Name::place, Name::turn})
       for (std::size_t axis = 0; axis < 3; ++axis) channels.emplace_back(name, 3 * p + axis, joints);

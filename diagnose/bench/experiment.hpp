@@ -117,6 +117,7 @@ struct Run {
   std::vector<LoadChannel> loads = {};  ///< what loads the chain besides, as part of the command
   std::vector<Channel> planned = {};    ///< channels to be measured, where nothing has been yet
 
+  [[nodiscard]] const EndKind& end() const { return end_kind(alone); }
   [[nodiscard]] bool holds_end_point() const { return control == Control::end_point; }
   /// The imposed channels, along x and along y; of a joint alone its angle or its torque.
   [[nodiscard]] std::vector<Channel> imposed() const;

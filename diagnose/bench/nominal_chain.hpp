@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "diagnose/bench/end_kind.hpp"
 #include "diagnose/bench/free_law.hpp"
 #include "diagnose/bench/nominal_arm.hpp"
 
@@ -27,10 +28,6 @@ struct NominalEffect {
   [[nodiscard]] std::string label() const { return joint > 0 ? id + "(" + std::to_string(joint) + ")" : id; }
 };
 
-/// A joint alone has no links: its angle and its torque are all there is of it, or the stroke and the force
-/// of one that slides.
-enum class Alone { no, turns, slides };
-
 /// SI units, radians; lists are by link or joint. Of a joint alone the link counts as one of length 1, whose
 /// end point and force stand for the joint's angle and torque.
 struct NominalChain {
@@ -45,13 +42,16 @@ struct NominalChain {
   /// distances along its links, and a stiffness of zero is that of a rigid joint.
   std::shared_ptr<const NominalArm> arm = nullptr;
 
+  [[nodiscard]] const EndKind& end() const { return end_kind(alone); }
   /// Whether a joint, from 0, slides; else it turns.
   [[nodiscard]] bool slides(std::size_t joint) const;
+  /// "joint 2", or the name that its file gives it.
+  [[nodiscard]] std::string joint_name(std::size_t joint) const;
   /// Of a joint's coordinate, "rad" or "m", and of its torque, "N m" or "N".
   [[nodiscard]] const char* joint_unit(std::size_t joint) const { return slides(joint) ? "m" : "rad"; }
   [[nodiscard]] const char* torque_unit(std::size_t joint) const { return slides(joint) ? "N" : "N m"; }
   /// A joint alone has none.
-  [[nodiscard]] bool has_links() const { return alone == Alone::no; }
+  [[nodiscard]] bool has_links() const { return end().has_links; }
   /// Whether it is a chain in a plane, whose end point may be put or loaded.
   [[nodiscard]] bool is_planar() const { return !arm && has_links(); }
   /// Whether it has springs and weights alone.

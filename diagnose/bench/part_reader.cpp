@@ -56,7 +56,7 @@ Origin PartReader::origin(std::size_t c) const {
 }
 
 bool PartReader::is_no_force(std::size_t c) const {
-  return format().free_end && format().columns[c].reads_any(end_kind(format().alone).load) && !has(c);
+  return format().free_end && format().columns[c].reads_any(format().end().load) && !has(c);
 }
 
 /// A number with a decimal point; empty for a missing value.

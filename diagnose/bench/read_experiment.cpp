@@ -184,7 +184,7 @@ Run read_run(const Section& section, const Shared& shared) {
   Run run;
   run.id = section.name("id", "a name");
   run.alone = shared.experiment.alone;
-  const EndKind& end = end_kind(run.alone);
+  const EndKind& end = run.end();
   const std::string place(end.by_place), load(end.by_load),
       control = section.one_of("control", {place, load, "command"});
   const bool commanded = control == "command";

@@ -95,7 +95,7 @@ NominalChain read_nominal(const Section& nominal) {
                     stiffness = spelling(nominal, "joint_stiffness", "stiffness");
   NominalChain chain;
   chain.alone = read_alone(nominal, lengths);
-  chain.link_length = chain.alone == Alone::no
+  chain.link_length = chain.has_links()
                           ? nominal.numbers(lengths, 0, "a positive length", [](double v) { return v > 0; })
                           : std::vector{1.0};
   const std::size_t n = chain.link_length.size();

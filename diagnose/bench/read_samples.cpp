@@ -35,7 +35,7 @@ class Joined {
   [[nodiscard]] const PartReader& first() const { return *parts_.front(); }
 
   [[nodiscard]] Reading reading(std::size_t row, Control control) const {
-    const bool one_way = end_kind(format().alone).place.size() == 1, is_free = format().free_end;
+    const bool one_way = format().end().place.size() == 1, is_free = format().free_end;
     Reading reading{
         value(0, row),
         {no_value, one_way ? 0 : no_value, is_free ? 0 : no_value, one_way || is_free ? 0 : no_value}};
@@ -113,7 +113,7 @@ class Joined {
 
   void require_given(const Reading& r, std::size_t row, Control control) const {
     if (std::isnan(r.t)) throw Error(first().where(row) + ", t", "an empty field", "the time of the reading");
-    const EndKind& end = end_kind(format().alone);
+    const EndKind& end = format().end();
     const std::vector<Channel>& imposed = control == Control::end_point ? end.place : end.load;
     if (std::ranges::any_of(imposed, [&](const Channel& one) { return std::isnan(one.of(r)); }))
       throw Error(owner_of(imposed.front().label()).where(row), "an empty imposed channel",

@@ -66,7 +66,7 @@ class Finder {
 
   /// \param given  by column, whether any part has it
   void require_imposed(const std::vector<bool>& given, Control control) const {
-    const EndKind& end = end_kind(format_.alone);
+    const EndKind& end = format_.end();
     for (std::size_t c = 0; c < given.size(); ++c) {
       const std::string& channel = format_.columns[c].channel;
       if (given[c] || !format_.columns[c].reads_any(control == Control::end_point ? end.place : end.load))
@@ -111,7 +111,7 @@ class Finder {
  private:
   /// Whether a file without [columns] has it: the end point, its load and the joints' angles.
   [[nodiscard]] bool in_standard_order(const Column& column) const {
-    const EndKind& end = end_kind(format_.alone);
+    const EndKind& end = format_.end();
     return column.reads_any(end.place) || column.reads_any(end.load) || column.group == "q";
   }
 

@@ -213,7 +213,7 @@ void require_keys(const Section& section, const SampleFormat& format, const std:
   if (!format.all_known) all.insert("q");
   section.allow_only(all);
   for (const std::string& key : section.keys())
-    if (!own.contains(key)) section.refuse(key, std::string(end_kind(format.alone).has_others));
+    if (!own.contains(key)) section.refuse(key, std::string(format.end().has_others));
 }
 
 Column own_column(const std::string& channel, const Quantity* quantity, const std::string& place) {
@@ -227,8 +227,8 @@ Column own_column(const std::string& channel, const Quantity* quantity, const st
 SampleFormat standard_format(std::size_t joints, Alone alone) {
   SampleFormat format;
   format.alone = alone;
-  format.any_order = alone != Alone::no;
-  const EndKind& end = end_kind(alone);
+  const EndKind& end = format.end();
+  format.any_order = !end.has_links;
   format.columns.push_back(own_column("t", &quantity::time));
   format.columns.back().says = Says::time;
   for (const auto& channels : {end.place, end.load})

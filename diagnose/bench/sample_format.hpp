@@ -61,6 +61,7 @@ struct SampleFormat {
   Alone alone = Alone::no;
   std::vector<Column> columns = {};  ///< the time first, the covariates last
 
+  [[nodiscard]] const EndKind& end() const { return end_kind(alone); }
   [[nodiscard]] std::size_t covariates() const;
 };
 

@@ -106,8 +106,8 @@ Change what_changed(const Study& before, const Study& after, const std::function
 }
 
 Check check_of(double probability) {
-  if (probability < check_is_sure) return Check::same;
-  return probability > 1 - check_is_sure ? Check::changed : Check::cannot_tell;
+  if (probability < priors::check_is_sure) return Check::same;
+  return probability > 1 - priors::check_is_sure ? Check::changed : Check::cannot_tell;
 }
 
 Check check(const Change& change) {

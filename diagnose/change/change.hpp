@@ -39,9 +39,6 @@ Change what_changed(const Study& before, const Study& after,
 
 /// The answer of a check after maintenance.
 enum class Check { same = 0, changed = 1, cannot_tell = 2 };
-/// A check is sure where a change that the readings speak for is less probable than this, or more probable
-/// than one less this.
-inline constexpr double check_is_sure = 0.05;
 /// It cannot tell where a change is neither probable nor improbable.
 Check check(const Change& change);
 /// \param probability  of a change

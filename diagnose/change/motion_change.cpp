@@ -5,6 +5,7 @@
 #include <plumbline/base/error.hpp>
 
 #include "diagnose/change/paired_states.hpp"
+#include "diagnose/priors.hpp"
 
 namespace plumbline::diagnose {
 namespace {
@@ -71,7 +72,7 @@ Counterlog counterpart_of(const MotionLog& log, const std::vector<MotionLog>& re
       if (nearer) best = {&other, offset, difference};
     }
   }
-  return best.log != nullptr && best.difference <= same_command ? best : Counterlog{};
+  return best.log != nullptr && best.difference <= priors::same_command ? best : Counterlog{};
 }
 
 /// Positions of a log, less what the model lacks of its counterpart.

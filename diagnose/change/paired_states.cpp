@@ -9,6 +9,7 @@
 #include <set>
 
 #include "diagnose/bench/median.hpp"
+#include "diagnose/priors.hpp"
 
 namespace plumbline::diagnose {
 namespace {
@@ -60,7 +61,7 @@ Path path(const Run& run, const Ranges& range) {
   for (const Reading& reading : run.readings) {
     const VectorXd& place = one.place.emplace_back(imposed(run, reading).cwiseQuotient(range));
     if (corner.size() == 0) corner = place;
-    if (const VectorXd step = place - corner; step.norm() > same_command) {
+    if (const VectorXd step = place - corner; step.norm() > priors::same_command) {
       sweep += direction.size() > 0 && step.dot(direction) < 0 ? 1 : 0;
       corner = place, direction = step;
     }
@@ -104,7 +105,7 @@ Counterpart nearest(const VectorXd& place, const Path& reference, std::optional<
 Counterpart counterpart(const Path& state, std::size_t i, const Path& reference) {
   const Counterpart best = nearest(state.place[i], reference, state.sweep[i]);
   const bool own_place = i == 0 || (state.place[i] - state.place[i - 1]).norm() > longest_step;
-  return best.distance > same_command && own_place ? nearest(state.place[i], reference, {}) : best;
+  return best.distance > priors::same_command && own_place ? nearest(state.place[i], reference, {}) : best;
 }
 
 bool is_read(const Reading& reading, const std::vector<Channel>& measured) {
@@ -168,7 +169,8 @@ class Pairing {
     for (std::size_t i = 0; i < all.size(); ++i) {
       if (!is_read(run.readings[i], measured)) continue;
       const Counterpart one = counterpart(way, i, paths_[reference]);
-      if (one.distance <= same_command && used.insert(one.share < 0.5 ? one.before : one.after).second)
+      if (one.distance <= priors::same_command &&
+          used.insert(one.share < 0.5 ? one.before : one.after).second)
         all[i] = one;
     }
     return all;

@@ -17,10 +17,6 @@ struct PairedRun {
   double rate;             ///< speed along the path over that of the reference; NaN without a clock in both
 };
 
-/// Share of the range of each command within which two commands are the same. What a model lacks varies with
-/// the command over its whole range, so that of two places so near it is the same to about this share.
-inline constexpr double same_command = 0.02;
-
 /// The readings of a state, less what the nominal model lacks of the reference at the same command and on the
 /// same way there: y - (y' - f'). A model's lack that both states share cancels in them, and what remains is
 /// noise and what changed. The declared noise is that of the difference. A reading of the reference counts

@@ -149,6 +149,23 @@ void move_to_what_is_seen(const Study& study, const Hypothesis& hypothesis, doub
   }
 }
 
+/// The squares of what a cause changes in the readings, and of what is left of that where a part of it is
+/// taken for all of it: a ratio, one at most.
+double share_left(const Study& study, const Findings& findings, const CauseProbability& cause,
+                  const CauseProbability& taken) {
+  if (!std::includes(cause.labels.begin(), cause.labels.end(), taken.labels.begin(), taken.labels.end()))
+    return 1;
+  const VectorXd& whole = findings.hypotheses[cause.hypothesis].residual;
+  const VectorXd change = study.nominal_residual() - whole,
+                 left = findings.hypotheses[taken.hypothesis].residual - whole;
+  const std::vector<bool>& outlier = findings.likelihood->shape().outlier;
+  double changed = 0, not_taken = 0;
+  for (Eigen::Index i = 0; i < change.size(); ++i)
+    if (!outlier[static_cast<std::size_t>(i)])
+      changed += change(i) * change(i), not_taken += left(i) * left(i);
+  return not_taken < changed ? not_taken / changed : 1;
+}
+
 /// Logarithms of the probabilities of all ways, where the evidence counts to a power.
 std::vector<double> log_weights(const std::vector<Way>& all, double power) {
   std::vector<double> weight;
@@ -257,6 +274,9 @@ Posterior posterior(const Study& study, const Findings& findings) {
   std::stable_sort(
       result.causes.begin(), result.causes.end(),
       [](const CauseProbability& a, const CauseProbability& b) { return a.probability > b.probability; });
+  for (std::size_t i = 1; i < result.causes.size() && result.causes[i].probability > negligible; ++i)
+    for (std::size_t k = 0; k < std::min(i, priors::largest_class); ++k)
+      result.causes[i].left.push_back(share_left(study, findings, result.causes[i], result.causes[k]));
   if (!result.causes.empty())
     result.leaves_nothing = leaves_nothing(findings, findings.hypotheses[result.causes.front().hypothesis]);
   return result;

@@ -17,6 +17,10 @@ struct CauseProbability {
   std::vector<std::string> labels;  ///< in alphabetical order
   double probability;
   std::size_t hypothesis;  ///< its most probable form, by its place in Findings::hypotheses
+  /// By each more probable cause that could be named: the share of what this cause changes in the readings
+  /// that the other leaves, where the other is a part of this one. It is one where it is none, or past the
+  /// end.
+  std::vector<double> left = {};
 };
 
 /// One way in which the readings may have come about.

@@ -27,15 +27,27 @@ namespace {
 /// Loss of a cause that is not named where one alone is, over that of naming one more.
 constexpr double wrong_alone = 1.5 * priors::wrong_over_further_name;
 
+/// Probability of a cause, times the share of what it changes that the causes named leave of it.
+double probability_left(const CauseProbability& one, std::size_t named) {
+  double left = 1;
+  for (std::size_t k = 0; k < std::min(named, one.left.size()); ++k) left = std::min(left, one.left[k]);
+  return left * one.probability;
+}
+
 /// A cause in the catalogue, or one outside of it, that is named beside the only one where that costs less:
 /// many causes, none of them worth naming by itself, can be as probable together as one that is.
 void name_another(const Posterior& posterior, Verdict& verdict) {
-  double others = posterior.outside;
-  for (std::size_t i = 1; i < posterior.causes.size(); ++i) others += posterior.causes[i].probability;
-  const double next_listed = posterior.causes.size() > 1 ? posterior.causes[1].probability : 0,
-               next = std::max(posterior.outside, next_listed);
-  if (wrong_alone * others <= 1 + priors::wrong_over_further_name * (others - next)) return;
-  if (next_listed > posterior.outside)
+  const auto lost = [&](std::size_t named, bool or_outside) {
+    double sum = or_outside ? 0 : posterior.outside;
+    for (std::size_t i = named; i < posterior.causes.size(); ++i)
+      sum += probability_left(posterior.causes[i], named);
+    return sum;
+  };
+  const double with_outside = lost(1, true),
+               with_next = posterior.causes.size() > 1 ? lost(2, false) : lost(1, false),
+               least = std::min(with_outside, with_next);
+  if (wrong_alone * lost(1, false) <= 1 + priors::wrong_over_further_name * least) return;
+  if (with_next < with_outside)
     ++verdict.named;
   else
     verdict.or_outside = true;
@@ -55,9 +67,10 @@ Verdict decide(const Posterior& posterior) {
   verdict.too_few_readings = outside_leads;
   const double worth_naming = ratio * (outside_leads ? listed : 1);
   const auto names = [&] { return verdict.named + (verdict.or_outside ? 1 : 0); };
-  for (const CauseProbability& one : posterior.causes)
-    if (verdict.named == 0 || (one.probability >= worth_naming && names() < priors::largest_class))
-      ++verdict.named;
+  const std::size_t most = priors::largest_class - (verdict.or_outside ? 1 : 0);
+  verdict.named = 1;
+  for (std::size_t i = 1; i < std::min(most, posterior.causes.size()); ++i)
+    if (probability_left(posterior.causes[i], verdict.named) >= worth_naming) verdict.named = i + 1;
   if (names() == 1) name_another(posterior, verdict);
   verdict.verdict = names() > 1 ? CauseVerdict::ambiguous : CauseVerdict::identified;
   return verdict;

@@ -61,7 +61,7 @@ double reached(const Run& run) {
   if (!run.commands_joints()) return 0;
   return largest_deflection(run, [&](std::size_t reading, std::size_t joint) {
     const Reading& one = run.readings[reading];
-    return one[end_kind(run.alone).joint_angles ? Channel(Channel::Name::q, joint).column : column_x];
+    return one[run.end().joint_angles ? Channel(Channel::Name::q, joint).column : column_x];
   });
 }
 
@@ -114,7 +114,7 @@ std::vector<CandidateRun> presses(const Experiment& experiment, const Shape& sha
                                   const OperatingEnvelope& so_far) {
   std::vector<CandidateRun> all;
   const Vector2 start = unloaded_end(experiment, shape.rest);
-  const EndKind& end = end_kind(shape.alone);
+  const EndKind& end = shape.end();
   const bool turns = end.place.front().sensor() == Sensor::angle;
   for (const Direction& one : directions(end))
     for (const double by : ways(experiment, shape, start, one.along, so_far))
@@ -157,7 +157,7 @@ namespace {
 std::vector<CandidateRun> loads(const Experiment& experiment, const Shape& shape,
                                 const OperatingEnvelope& so_far) {
   std::vector<CandidateRun> all;
-  const EndKind& end = end_kind(shape.alone);
+  const EndKind& end = shape.end();
   for (const Direction& one : directions(end)) {
     const std::optional<Vector2> load = bearable_load(experiment, shape, one.along, so_far);
     if (!load) continue;

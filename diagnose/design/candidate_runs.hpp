@@ -41,6 +41,8 @@ struct Shape {
   std::vector<double> rest;
   std::string words;
   Alone alone = Alone::no;
+
+  [[nodiscard]] const EndKind& end() const { return end_kind(alone); }
 };
 
 /// The distinct rest shapes of the runs whose joints are not commanded, by their ids, followed by their

@@ -123,7 +123,7 @@ class Planner {
       : experiment_(study.experiment()),
         noise_(noise),
         so_far_(operating_envelope(study)),
-        reads_angles_(study.scales().measures(Channel::Name::q) || !study.scales().links),
+        reads_angles_(study.scales().measures(Channel::Name::q) || study.scales().axes == 1),
         hypotheses_(hypotheses) {
     for (const Hypothesis& hypothesis : hypotheses_) open_.push_back(covariance(study, hypothesis));
     for (const Hypothesis& truth : hypotheses_)

@@ -23,7 +23,7 @@ bool is_of_an_arm(const std::vector<ColumnWords>& words) {
 
 BenchKind bench_of(const DraftModel& model, const std::vector<RunSource>& sources,
                    const std::vector<std::string>& joints) {
-  if (model.chain.alone != Alone::no) return BenchKind::joint;
+  if (!model.chain.has_links()) return BenchKind::joint;
   if (!model.arm) return BenchKind::plane;
   if (model.chain.link_length.empty()) return BenchKind::arm;
   const bool arm = std::any_of(sources.begin(), sources.end(),

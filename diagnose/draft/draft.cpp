@@ -113,7 +113,7 @@ class Drafting {
 
   [[nodiscard]] bool has_question() const {
     return std::any_of(experiment_.runs.begin(), experiment_.runs.end(),
-                       [](const DraftedRun& run) { return run.alone != Alone::no && !run.question.empty(); });
+                       [](const DraftedRun& run) { return !run.end().has_links && !run.question.empty(); });
   }
   [[nodiscard]] std::string question_of_loads() const {
     return open_question(experiment_.loads, model_.chain.link_length.size());

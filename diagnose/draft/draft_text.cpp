@@ -172,9 +172,9 @@ std::string noise_lines(const std::vector<DraftedRun>& runs, bool same_columns) 
 }
 
 std::string nominal_lines(const NominalChain& chain) {
-  std::string text = chain.alone == Alone::no       ? "link_length = " + list(chain.link_length)
-                     : chain.alone == Alone::slides ? "joint = \"prismatic\""
-                                                    : "joint = \"revolute\"";
+  std::string text = chain.has_links() ? "link_length = " + list(chain.link_length)
+                     : chain.slides(0) ? "joint = \"prismatic\""
+                                       : "joint = \"revolute\"";
   text += "\njoint_stiffness = " + list(chain.joint_stiffness) + "\n";
   const auto weighs = [](double mass) { return mass > 0; };
   if (std::any_of(chain.link_mass.begin(), chain.link_mass.end(), weighs))
@@ -238,7 +238,7 @@ std::string samples_lines(const DraftedRun& run, const DraftedExperiment& experi
 
 std::string_view control_word(const DraftedRun& run) {
   if (!run.commands.empty()) return "command";
-  const EndKind& end = end_kind(run.alone);
+  const EndKind& end = run.end();
   return run.imposes_force ? end.by_load : end.by_place;
 }
 
@@ -273,7 +273,7 @@ std::string settings_text(const DraftedExperiment& experiment, const DraftModel&
       "#:schema experiment.schema.json\n# Drafted by `plumbline new`: what it guessed, it said; correct here "
       "what is wrong.\nformat = \"chain-experiment/1\"\n";
   text += "name = " + quoted(experiment.name) + "\n\n[nominal]\n" + nominal_lines(model.chain);
-  if (model.chain.alone == Alone::no) text += "\n[bench]\n" + bench_lines(model);
+  if (model.chain.has_links()) text += "\n[bench]\n" + bench_lines(model);
   for (const DraftedLoad& load : experiment.loads) text += load_lines(load, model.chain.link_length.size());
   text += "\n[noise]  # how much neighbouring readings scatter\n" + noise_lines(runs, same_columns);
   if (same_csv && !csv.empty()) text += "\n[csv]\n" + csv;

@@ -20,7 +20,7 @@ namespace {
 class JointDrafter {
  public:
   JointDrafter(const RunSource& source, const DraftModel& model, const Ask& ask)
-      : model_(model), ask_(ask), slides_(model.chain.alone == Alone::slides) {
+      : model_(model), ask_(ask), slides_(model.chain.slides(0)) {
     run_.source = source;
     run_.alone = model.chain.alone;
     words_ = source.words(model.joints);
@@ -196,7 +196,7 @@ class JointDrafter {
           fmt::format("{} is where the spring pulls to", title(run_.commands.front().place)));
       return;
     }
-    const EndKind& end = end_kind(run_.alone);
+    const EndKind& end = run_.end();
     const std::string place(end.by_place), load(end.by_load);
     const auto& s = run_.singles;
     const EvenSteps steps = even_steps(roughness(run_.source.numbers(s[draft_x]->place)),

@@ -56,6 +56,7 @@ struct DraftedRun {
   Guesses guesses;
   std::string question;  ///< what a person has to say, in a line; or empty
 
+  [[nodiscard]] const EndKind& end() const { return end_kind(alone); }
   /// A channel in SI.
   [[nodiscard]] std::vector<double> values(const DraftColumn& column, const Quantity& quantity) const;
   [[nodiscard]] std::vector<double> values(std::size_t single) const;

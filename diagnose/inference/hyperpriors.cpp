@@ -82,12 +82,12 @@ std::vector<double> log_amplitude_imitated(const Hyperpriors& priors) {
 }
 
 double log_size_prior(double size) {
-  constexpr double r = smallest_typical;
+  constexpr double r = priors::smallest_typical;
   return std::log(std::numbers::ln2 * (1 - r) / -std::log(r) * size / ((size + r) * (1 + size)));
 }
 
 double log_smaller(double size) {
-  constexpr double r = smallest_typical;
+  constexpr double r = priors::smallest_typical;
   return std::log(std::log1p(size * (1 - r) / (r * (1 + size))) / -std::log(r));
 }
 
@@ -95,7 +95,7 @@ const std::vector<GridSize>& size_grid() {
   static const std::vector<GridSize> grid = [] {
     std::vector<GridSize> all;
     std::vector<double> log_p;
-    for (double size = smallest_typical / 3; size < 30; size *= 3) {
+    for (double size = priors::smallest_typical / 3; size < 30; size *= 3) {
       all.push_back({size, log_size_prior(size)});
       log_p.push_back(all.back().log_prior);
     }

@@ -58,7 +58,8 @@ class Searcher {
     found_.outside = unknown_torques(study);
     found_.untimed = untimed_effects(study);
     listed_.insert(listed_.end(), found_.untimed.begin(), found_.untimed.end());
-    set_likelihoods(nominal_residual_, NoiseShape(study.measurements()), Departures::ignored);
+    set_likelihoods(nominal_residual_,
+                    noise_of(nominal_residual_, NoiseShape(study.measurements()), Departures::ignored));
   }
 
   Findings run(const std::function<void(double)>& report) {
@@ -82,14 +83,20 @@ class Searcher {
   }
 
  private:
-  /// The likelihoods for the noise that a residual shows.
-  void set_likelihoods(const VectorXd& residual, NoiseShape start, Departures departures) {
+  /// The noise that a residual shows.
+  [[nodiscard]] NoiseShape noise_of(const VectorXd& residual, NoiseShape start, Departures departures) const {
+    return estimate_noise(study_.experiment(), study_.measurements(), *found_.states, nominal_residual_,
+                          residual, std::move(start), departures);
+  }
+
+  [[nodiscard]] std::shared_ptr<Likelihood> likelihood_of(const Hyperpriors& priors,
+                                                          const NoiseShape& in) const {
+    return std::make_shared<Likelihood>(study_.measurements(), *found_.states, priors, in, nominal_residual_);
+  }
+
+  /// The likelihoods for this noise of a residual.
+  void set_likelihoods(const VectorXd& residual, const NoiseShape& shape) {
     const Measurements& measurements = study_.measurements();
-    const NoiseShape shape = estimate_noise(study_.experiment(), measurements, *found_.states,
-                                            nominal_residual_, residual, std::move(start), departures);
-    const auto likelihood_of = [&](const Hyperpriors& priors, const NoiseShape& in) {
-      return std::make_shared<Likelihood>(measurements, *found_.states, priors, in, nominal_residual_);
-    };
     const auto full = likelihood_of(full_model(), shape);
     full->prune(residual);
     found_.likelihood = full;
@@ -283,7 +290,7 @@ class Searcher {
   /// Manufacturing tolerances, alone and beside what leads. Those of a joint alone are its own stiffness and
   /// rest, which are causes; those of a calibrated arm are summed out.
   void fit_beside_tolerances() {
-    if (!study_.scales().links || study_.experiment().arm_bench.calibration) return;
+    if (study_.scales().axes == 1 || study_.experiment().arm_bench.calibration) return;
     std::vector<Hypothesis> leading = leading_singles(beside_tolerances);
     for (std::size_t i = 0; i < std::min<std::size_t>(3, found_.hypotheses.size()); ++i)
       if (found_.hypotheses[i].candidate.effects.size() > 1) leading.push_back(found_.hypotheses[i]);
@@ -364,6 +371,26 @@ class Searcher {
     std::for_each(rows.begin() + 1, rows.end(), step_on);
   }
 
+  /// The noise beside the best hypothesis. A discrepancy beside a poor one may be more probable than a better
+  /// one in the noise of the poor one: the hypothesis of least squares is tried in its own noise too.
+  void settle_noise(const NoiseShape& start) {
+    const Hypothesis& lead = found_.hypotheses.front();
+    const Hypothesis& closest =
+        *std::min_element(found_.hypotheses.begin(), found_.hypotheses.end(),
+                          [&](const Hypothesis& a, const Hypothesis& b) { return squares(a) < squares(b); });
+    const NoiseShape of_lead = noise_of(lead.residual, start, Departures::sought);
+    if (&closest == &lead) return set_likelihoods(lead.residual, of_lead);
+    const NoiseShape of_closest = noise_of(closest.residual, start, Departures::sought);
+    const auto evidence = [&](Hypothesis h, const NoiseShape& shape) {
+      look_again(study_, *likelihood_of(full_model(), shape), h);
+      return h.log_evidence;
+    };
+    if (evidence(closest, of_closest) > evidence(lead, of_lead))
+      set_likelihoods(closest.residual, of_closest);
+    else
+      set_likelihoods(lead.residual, of_lead);
+  }
+
   /// Estimates the noise again where the best hypothesis is taken away, and weighs all by it.
   void settle() {
     if (found_.hypotheses.empty()) return;
@@ -371,7 +398,7 @@ class Searcher {
       const NoiseShape before = found_.likelihood->shape();
       NoiseShape start(study_.measurements());
       start.outlier = before.outlier;
-      set_likelihoods(found_.hypotheses.front().residual, std::move(start), Departures::sought);
+      settle_noise(start);
       for (Hypothesis& h : found_.hypotheses) look_again(study_, *found_.likelihood, h);
       sort();
       const NoiseShape& now = found_.likelihood->shape();

@@ -9,9 +9,6 @@ namespace plumbline::diagnose {
 
 struct Hyperpriors;
 
-/// From so much of the typical size on any order of magnitude is as probable, up to the typical size.
-inline constexpr double smallest_typical = 1.0 / 27;
-
 /// Logarithm of the probability that a size is smaller than this one.
 double log_smaller(double size);
 

@@ -50,7 +50,7 @@ Command command_for(const Run& run, const Channel& channel) {
   const std::size_t joint = run.rest.size() == 1 ? 0 : channel.joint;
   for (const Reading& reading : run.readings) command.along.push_back(reading.rest[joint]);
   if (run.rest.size() > 1) command.label += fmt::format(" of joint {}", joint + 1);
-  command.label += run.alone == Alone::slides ? ", m" : ", rad";
+  command.label += fmt::format(", {}", unit(run.end().joint));
   return in_shown_unit(command);
 }
 

@@ -270,7 +270,7 @@ std::string as_html(const Study& study, const Diagnosis& diagnosis) {
     view["shrink"]["heldout_names"] = joined(diagnosis.shrink->heldout, ", ", ", ");
   }
   view["arm"] = explained.experiment.arm != nullptr;
-  view["planar"] = explained.experiment.alone == Alone::no && !explained.experiment.arm;
+  view["planar"] = explained.experiment.is_planar();
   view["torque_unit"] = std::string(diagnosis.cause.torque_unit);
   view["proposals"] = {{"any", !diagnosis.proposals.empty()}};
   add_charts(view, explained);

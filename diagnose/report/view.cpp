@@ -119,8 +119,7 @@ Command command_of_joints(const Run& run) {
       if (const double way = std::abs(run.readings[i].rest[j] - run.rest[j]); way > most)
         most = way, joint = j, command.farthest = i;
   for (const Reading& reading : run.readings) command.along.push_back(reading.rest[joint] - run.rest[joint]);
-  command.label = fmt::format("command of joint {} from its first, {}", joint + 1,
-                              end_kind(run.alone).joint == Sensor::position ? "m" : "rad");
+  command.label = fmt::format("command of joint {} from its first, {}", joint + 1, unit(run.end().joint));
   return command;
 }
 

@@ -72,7 +72,7 @@ void find_loading(const Run& run, bool has_end, CharacteristicScales& size) {
   const bool reads = reads_force(run);
   size.measures_force = size.measures_force || reads;
   size.load_cell = size.load_cell || reads || reads_wrench(run) ||
-                   (!size.has_frames && !(run.holds_end_point() || run.by_weights));
+                   (size.axes < 3 && !(run.holds_end_point() || run.by_weights));
   size.drives = size.drives || run.commands_joints() || !run.by_weights;
   const bool loaded = any_reading(run, [](const Reading& one) { return load_of(one, {}) > 0; });
   size.imposes_force = size.imposes_force || (!run.holds_end_point() && loaded);
@@ -86,11 +86,10 @@ void find_loading(const Run& run, bool has_end, CharacteristicScales& size) {
 void find_plateau(const Experiment& experiment, CharacteristicScales& size) {
   const auto each_component = [&](auto use) {
     for (const Run& run : experiment.runs)
-      for (const Reading& reading : run.readings) {
-        if (!run.holds_end_point() || run.alone != Alone::no) continue;
-        use(std::abs(or_zero(reading[column_Fx])), experiment.noise[Channel::Name::Fx]);
-        use(std::abs(or_zero(reading[column_Fy])), experiment.noise[Channel::Name::Fy]);
-      }
+      for (const Channel& channel : run.answering())
+        for (const Reading& reading : run.readings)
+          if (channel.sensor() == Sensor::force)
+            use(std::abs(or_zero(channel.of(reading))), channel.sigma(experiment.noise));
   };
   each_component([&](double force, double) { size.largest_reading = std::max(size.largest_reading, force); });
   constexpr double scatter = 5;  // sigma: of the largest of many readings, and of one at its side
@@ -107,16 +106,15 @@ void find_device(const Experiment& experiment, CharacteristicScales& size) {
   size.link_mass = experiment.link_mass;
   size.link_mass.resize(n, 0.0);
   size.reach = experiment.link_length;
-  size.links = experiment.alone == Alone::no;
-  size.slides.assign(n, experiment.alone == Alone::slides);
+  size.axes = experiment.arm ? 3 : experiment.has_links() ? 2 : 1;
+  for (std::size_t j = 0; j < n; ++j) size.slides.push_back(experiment.slides(j));
   size.rigid.assign(n, false);
   double gravity = std::hypot(experiment.gravity[0], experiment.gravity[1]);
   size.weighs = experiment.bench.plane != Bench::Plane::horizontal;
   if (experiment.arm) {
     const SerialArm<double>& arm = experiment.arm->arm;
-    size.has_frames = size.reads_encoders = true;
+    size.reads_encoders = true;
     for (std::size_t j = 0; j < n; ++j) {
-      size.slides[j] = arm.links[j].kind == JointKind::prismatic;
       size.rigid[j] = !(experiment.joint_stiffness[j] > 0);
       size.reach[j] = arm.far_end(j).translation().norm();
     }
@@ -146,7 +144,7 @@ void find_motion(const Experiment& experiment, CharacteristicScales& size) {
                      experiment.covariates.end();
   for (const Run& run : experiment.runs)
     for (const Reading& reading : run.readings) {
-      size.warms = size.warms || (noted && size.has_frames &&
+      size.warms = size.warms || (noted && size.axes == 3 &&
                                   reading.covariates != experiment.runs.front().readings.front().covariates);
       for (std::size_t j = 0; j < reading.rest.size(); ++j)
         size.moves[j] = size.moves[j] || std::abs(reading.rest[j] - experiment.runs.front().rest[j]) > still;
@@ -191,7 +189,7 @@ CharacteristicScales characteristic_scales(const Experiment& experiment) {
     if (const double pause = run.sampling_interval(); pause > 0)
       size.sampling_interval = size.sampling_interval > 0 ? std::min(size.sampling_interval, pause) : pause;
     size.clock = size.clock || !run.counts_readings();
-    find_loading(run, size.links && !size.has_frames, size);
+    find_loading(run, size.axes == 2, size);
     for (const Channel& channel : run.measured())
       if (!run.planned.empty() ||
           any_reading(run, [&](const Reading& reading) { return std::isfinite(channel.of(reading)); }))

@@ -24,8 +24,7 @@ struct CharacteristicScales {
   double deflection = 0;        ///< of a joint under such a torque, rad
   double turn = 1;              ///< unit of the ranges of angles, rad: 1, but for joints that hardly turn
   double duration = 0, sampling_interval = 0;  ///< of the longest run; of the fastest run
-  bool links = true;                           ///< some link; a joint alone has none
-  bool has_frames = false;                     ///< axes and points have places in space, not in one plane
+  std::size_t axes = 2;  ///< of the space in which it moves: of a joint alone, which has no link, 1
 
   // The bench, and what is read.
   bool weighs = true;           ///< gravity may act

@@ -24,7 +24,7 @@ std::vector<Point<double>> weights(const Experiment& experiment) {
 Rig without_effects(const Experiment& experiment) {
   const std::size_t n = experiment.link_length.size();
   Rig rig;
-  rig.alone = experiment.alone != Alone::no;
+  rig.alone = !experiment.has_links();
   rig.length = experiment.link_length;
   rig.stiffness = experiment.joint_stiffness;
   rig.rest_error.assign(n, 0);

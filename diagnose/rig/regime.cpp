@@ -70,7 +70,7 @@ std::vector<Regime> regimes(const Run& run, const Trace& nominal) {
     result[static_cast<std::size_t>(i)] = now;
   }
   if (count > 1) result[0] = result[1] == Regime::unloading ? Regime::pre_critical : result[1];
-  if (run.alone != Alone::no)
+  if (!run.end().has_links)
     for (Regime& one : result)
       if (one != Regime::unloading) one = Regime::loading;
   return result;

@@ -5,7 +5,7 @@
 namespace plumbline::diagnose {
 
 Vector2 unloaded_end(const Experiment& experiment, const std::vector<double>& rest) {
-  if (experiment.alone != Alone::no) return {rest.front(), 0};
+  if (!experiment.has_links()) return {rest.front(), 0};
   const Point<double> end =
       end_point(Chain<double>(experiment.link_length, experiment.joint_stiffness), rest);
   return {end.x, end.y};

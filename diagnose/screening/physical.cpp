@@ -118,7 +118,7 @@ std::string other_control(const Run& run, const Channel& channel) {
   const std::vector<Channel> answering = run.answering();
   if (run.commands_joints() || std::find(answering.begin(), answering.end(), channel) == answering.end())
     return "";
-  const EndKind& end = end_kind(run.alone);
+  const EndKind& end = run.end();
   const std::string_view other = run.holds_end_point() ? end.by_load : end.by_place;
   return "; where the rig imposes it: control = \"" + std::string(other) + "\"";
 }
@@ -241,31 +241,32 @@ void require_chain(const Experiment& experiment) {
   for (const Run& run : experiment.runs) {
     require_turns(run);
     if (experiment.has_links()) require_reach(experiment, run, limits);
+    require_geometry(experiment, run, limits);
   }
+}
+
+void require_device(const Experiment& experiment) {
+  if (experiment.arm)
+    require_arm(experiment);
+  else
+    require_chain(experiment);
 }
 
 }  // namespace
 
 void require_bench(const Experiment& bench) {
-  if (bench.arm) {
-    require_arm(bench);
-    if (!(std::ranges::max(bench.noise.sigma) > 0))
-      throw Error("noise", "no figure for anything that an arm's bench measures",
-                  "a positive one for place, turn, q or torque");
-    return;
-  }
-  require_chain(bench);
+  require_device(bench);
+  if (bench.arm && !(std::ranges::max(bench.noise.sigma) > 0))
+    throw Error("noise", "no figure for anything that an arm's bench measures",
+                "a positive one for place, turn, q or torque");
+  if (bench.arm) return;
   for (const Run& run : bench.runs) require_anything_measured(run, bench.noise);
 }
 
 void require_physical(const Experiment& experiment) {
-  if (experiment.arm)
-    require_arm(experiment);
-  else
-    require_chain(experiment);
+  require_device(experiment);
   std::size_t values = 0;
   for (const Run& run : experiment.runs) {
-    if (!experiment.arm) require_geometry(experiment, run, reach(experiment.link_length));
     require_noise(run, experiment.noise);
     values += measured_values(run);
   }

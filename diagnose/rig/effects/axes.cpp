@@ -7,8 +7,8 @@
 namespace plumbline::diagnose {
 namespace {
 
-bool has_frames(const Place& at) {
-  return at.scales.has_frames;
+bool in_space(const Place& at) {
+  return at.scales.axes == 3;
 }
 
 /// Two unit vectors across an axis.
@@ -31,7 +31,7 @@ std::vector<Effect> axis_effects() {
              const auto [first, second] = across(link.axis);
              link.frame.linear() *= rotation_by<double>(to.value[0] * first + to.value[1] * second);
            },
-       .possible = has_frames,
+       .possible = in_space,
        .everywhere = "tilts of axes"},
       {.id = "axis_shift",
        .words = "an axis of joint {} that is displaced",
@@ -41,7 +41,7 @@ std::vector<Effect> axis_effects() {
            [](const Addition& to) {
              to.rig.arm->arm.links[to.joint].frame.translation() += vector_of(to.value);
            },
-       .possible = has_frames,
+       .possible = in_space,
        .nested = {"link_length"},
        .everywhere = "shifts of axes"},
       {.id = "link_centre",
@@ -51,7 +51,7 @@ std::vector<Effect> axis_effects() {
        .add = [](const Addition& to) { to.rig.arm->arm.links[to.joint].centre += vector_of(to.value); },
        .possible =
            [](const Place& at) {
-             return has_frames(at) && at.scales.weighs && loads_show(at) && at.scales.link_mass[at.joint] > 0;
+             return in_space(at) && at.scales.weighs && loads_show(at) && at.scales.link_mass[at.joint] > 0;
            }},
       {.id = "mount_tilt",
        .words = "a base that is tilted against gravity",
@@ -60,7 +60,7 @@ std::vector<Effect> axis_effects() {
            [](const Addition& to) {
              to.rig.arm->arm.base.linear() *= rotation_by(Vector3<double>(to.value[0], to.value[1], 0));
            },
-       .possible = has_frames},
+       .possible = in_space},
       {.id = "base_compliance",
        .words = "a base that turns under the moment on it",
        .parameters =

@@ -35,8 +35,8 @@ std::vector<Effect> bench_effects() {
        .words = "a load that acts off the end point",
        .parameters =
            [](const Place& at) {
-             return at.scales.has_frames ? each_axis(ParameterKind::place, "d", at)
-                                         : std::vector{of(ParameterKind::eccentricity, "e", at)};
+             return at.scales.axes == 3 ? each_axis(ParameterKind::place, "d", at)
+                                        : std::vector{of(ParameterKind::eccentricity, "e", at)};
            },
        .add =
            [](const Addition& to) {
@@ -47,7 +47,7 @@ std::vector<Effect> bench_effects() {
            },
        .possible =
            [](const Place& at) {
-             return end_is_loaded(at) || (at.scales.has_frames && at.scales.imposes_force && loads_show(at));
+             return end_is_loaded(at) || (at.scales.axes == 3 && at.scales.imposes_force && loads_show(at));
            }},
       {.id = "tip_stiffness",
        .words = "an end pivot with a rotational stiffness",

@@ -82,9 +82,7 @@ std::vector<Effect> command_effects() {
        .parameters = one_of(ParameterKind::held_share, "a"),
        .add = [](const Addition& to) { to.rig.arm->compensated += to.value[0]; },
        .possible =
-           [](const Place& at) {
-             return at.scales.has_frames && at.scales.nominal_weight && loads_show(at);
-           }},
+           [](const Place& at) { return at.scales.axes == 3 && at.scales.nominal_weight && loads_show(at); }},
   };
 }
 

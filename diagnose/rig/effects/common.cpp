@@ -101,9 +101,9 @@ std::vector<Effect> common_effects() {
        .words = "lengths that differ from link to link within their tolerance",
        .parameters =
            [](const Place& at) {
-             return at.scales.has_frames ? places_of_axes(at)
-                                         : each(at, {"a", "ratio", length_tolerance(at) / at.scales.link,
-                                                     -0.2, 0.2, Which::all});
+             return at.scales.axes == 3 ? places_of_axes(at)
+                                        : each(at, {"a", "ratio", length_tolerance(at) / at.scales.link, -0.2,
+                                                    0.2, Which::all});
            },
        .add = add_lengths,
        .possible = several_links,

@@ -20,7 +20,7 @@ std::vector<std::string_view> along_axes(std::string_view stem, std::size_t axes
 }
 
 std::vector<ParameterRange> each_axis(ParameterKind kind, std::string_view stem, const Place& at) {
-  return some_of(kind, along_axes(stem, at.scales.has_frames ? 3 : 2))(at);
+  return some_of(kind, along_axes(stem, at.scales.axes))(at);
 }
 
 std::string_view numbered(std::string_view stem, std::size_t index) {

@@ -75,7 +75,7 @@ std::vector<Effect> link_effects() {
        .at_joint = true,
        .parameters = one_of(ParameterKind::bending_rigidity, "EI"),
        .add = [](const Addition& to) { to.rig.arm->bend(to.joint, 1 / to.value[0]); },
-       .possible = [](const Place& at) { return at.scales.has_frames && at.scales.reach[at.joint] > 0; }},
+       .possible = [](const Place& at) { return at.scales.axes == 3 && at.scales.reach[at.joint] > 0; }},
   };
 }
 

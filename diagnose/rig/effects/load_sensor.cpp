@@ -26,8 +26,8 @@ std::vector<ParameterRange> components(ParameterKind of_force, ParameterKind of_
 
 /// Adds them to a vector.
 void add_components(const Addition& to, Vector3<double>& sum) {
-  const Eigen::Index count = !to.scales.links ? 1 : to.scales.has_frames ? 3 : 2;
-  sum.head(count) += Eigen::Map<const Eigen::VectorXd>(to.value, count);
+  const auto axes = static_cast<Eigen::Index>(to.scales.axes);
+  sum.head(axes) += Eigen::Map<const Eigen::VectorXd>(to.value, axes);
 }
 
 std::vector<Effect> first_sensor() {
@@ -93,12 +93,11 @@ bool has_second_sensor(const Place& at) {
 /// Along x and along y; both where none is read, as in the catalogue's document.
 std::array<bool, 2> axes_of_second_sensor(const CharacteristicScales& scales) {
   const bool x = scales.measures(Channel::Name::Fx_2), y = scales.measures(Channel::Name::Fy_2);
-  if (!scales.links) return {true, false};
-  return {x || !y, y || !x};
+  return {x || !y, scales.axes > 1 && (y || !x)};
 }
 
 std::vector<ParameterRange> zeros_of_second_sensor(const Place& at) {
-  if (!at.scales.links) return {of(ParameterKind::torque_zero, "b", at)};
+  if (!has_links(at)) return {of(ParameterKind::torque_zero, "b", at)};
   const auto [along_x, along_y] = axes_of_second_sensor(at.scales);
   std::vector<ParameterRange> all;
   if (along_x) all.push_back(of(ParameterKind::force_zero, "b_x", at));

@@ -20,7 +20,7 @@ std::vector<Effect> place_sensor_effects() {
        .parameters = [](const Place& at) { return each_axis(ParameterKind::place, "d", at); },
        .add =
            [](const Addition& to) {
-             const Eigen::Index axes = to.scales.has_frames ? 3 : 2;
+             const auto axes = static_cast<Eigen::Index>(to.scales.axes);
              to.rig.position_offset.head(axes) += Eigen::Map<const Eigen::VectorXd>(to.value, axes);
            },
        .possible =
@@ -34,14 +34,14 @@ std::vector<Effect> place_sensor_effects() {
        .words = "a camera or tracker whose axes are turned",
        .parameters =
            [](const Place& at) {
-             return at.scales.has_frames ? some_of(ParameterKind::frame_angle, {"r_x", "r_y", "r_z"})(at)
-                                         : std::vector{of(ParameterKind::frame_angle, "eps", at)};
+             return at.scales.axes == 3 ? some_of(ParameterKind::frame_angle, {"r_x", "r_y", "r_z"})(at)
+                                        : std::vector{of(ParameterKind::frame_angle, "eps", at)};
            },
        // In space the frame is turned; in the plane what is read.
        .add =
            [](const Addition& to) {
-             to.rig.place_turn += to.scales.has_frames ? Vector3<double>(-vector_of(to.value))
-                                                       : Vector3<double>(0, 0, to.value[0]);
+             to.rig.place_turn += to.scales.axes == 3 ? Vector3<double>(-vector_of(to.value))
+                                                      : Vector3<double>(0, 0, to.value[0]);
            },
        .possible = camera_reads},
   };

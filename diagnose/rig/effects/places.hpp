@@ -45,12 +45,12 @@ inline bool several_joints(const Place& at) {
 
 /// At least one link: a joint alone has none.
 inline bool has_links(const Place& at) {
-  return at.scales.links;
+  return at.scales.axes > 1;
 }
 
 /// Whether links stay in one plane, in which their lengths and rest angles are all of their geometry.
 inline bool is_planar(const Place& at) {
-  return at.scales.links && !at.scales.has_frames;
+  return at.scales.axes == 2;
 }
 
 inline bool end_is_loaded(const Place& at) {
@@ -74,7 +74,7 @@ inline bool several_runs(const Place& at) {
 inline bool places_are_read(const Place& at) {
   using Name = Channel::Name;
   const bool end = at.scales.measures(Name::x) || at.scales.measures(Name::y);
-  return at.scales.measures(Name::place) || (at.scales.links && end);
+  return at.scales.measures(Name::place) || (has_links(at) && end);
 }
 
 /// Whether places or orientations of points are read.

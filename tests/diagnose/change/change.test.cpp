@@ -3,6 +3,7 @@
 #include <plumbline/base/error.hpp>
 
 #include "diagnose/change/change_report.hpp"
+#include "diagnose/priors.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 
@@ -112,8 +113,8 @@ TEST_CASE("two data sets of one device show no change, though its model lacks an
 }
 
 TEST_CASE("a check says 0, 1 and 2 on either side of its limits") {
-  CHECK(static_cast<int>(check_of(check_is_sure / 2)) == 0);
-  CHECK(static_cast<int>(check_of(1 - check_is_sure / 2)) == 1);
+  CHECK(static_cast<int>(check_of(priors::check_is_sure / 2)) == 0);
+  CHECK(static_cast<int>(check_of(1 - priors::check_is_sure / 2)) == 1);
   CHECK(static_cast<int>(check_of(0.5)) == 2);
 }
 

@@ -22,11 +22,19 @@ Posterior posterior_of(double no_gap, double outside, const std::vector<double>&
   return posterior;
 }
 
+/// The same, where the first cause is a part of all others and leaves these shares of what they change.
+Posterior with_parts(Posterior posterior, const std::vector<double>& left) {
+  for (std::size_t i = 0; i < left.size(); ++i) posterior.causes[i + 1].left = {left[i]};
+  return posterior;
+}
+
 /// The loss that is expected of naming the first causes and, if asked, one outside of the catalogue, where
 /// there is a gap.
 double expected_loss(const Posterior& posterior, std::size_t named, bool or_outside) {
   double missed = or_outside ? 0 : posterior.outside;
-  for (std::size_t i = named; i < posterior.causes.size(); ++i) missed += posterior.causes[i].probability;
+  for (std::size_t i = named; i < posterior.causes.size(); ++i)
+    missed += posterior.causes[i].probability *
+              (posterior.causes[i].left.empty() ? 1 : posterior.causes[i].left[0]);
   const std::size_t names = named + (or_outside ? 1 : 0);
   return static_cast<double>(names) +
          (names > 1 ? priors::wrong_over_further_name : 1.5 * priors::wrong_over_further_name) * missed;
@@ -95,6 +103,16 @@ TEST_CASE("many causes that are not worth naming keep one from being named alone
   const Verdict outside = decide(posterior_of(0, 0.04, {0.93, 0.03}));
   CHECK(outside.named == 1);
   CHECK(outside.or_outside);
+}
+
+TEST_CASE("a cause of which the first name is nearly all is not named beside it") {
+  const Posterior posterior = posterior_of(0, 0, {0.7, 0.3});
+  CHECK(decide(posterior).verdict == CauseVerdict::ambiguous);
+  // Alone 1 + 30 * 0.3 left, with the other 2: less below a ninth.
+  CHECK(decide(with_parts(posterior, {0.1})).verdict == CauseVerdict::identified);
+  CHECK(decide(with_parts(posterior, {0.12})).verdict == CauseVerdict::ambiguous);
+  const Verdict other = decide(with_parts(posterior_of(0, 0, {0.6, 0.25, 0.15}), {0.01, 1}));
+  CHECK(other.named == 3);  // the third is no form of the first, and the second stands before it
 }
 
 TEST_CASE("a class is never larger than helps") {

@@ -10,6 +10,7 @@
 #include <random>
 
 #include "diagnose/inference/size_prior.hpp"
+#include "diagnose/priors.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/outside/drawn_bench.hpp"
 
@@ -106,7 +107,7 @@ TEST_CASE("the prior of sizes is one over all sizes, and what is smaller than on
 }
 
 TEST_CASE("any order of magnitude of a size is as probable from small ones to typical ones, and no other") {
-  const double middle = std::sqrt(smallest_typical);
+  const double middle = std::sqrt(priors::smallest_typical);
   for (const double factor : {1.5, 3.0, 10.0, 100.0})  // symmetric about the middle, by the logarithm
     CHECK(log_size_prior(middle * factor) == close_to(log_size_prior(middle / factor)).epsilon(1e-12));
   CHECK(log_size_prior(1) > log_size_prior(middle) - std::numbers::ln2);  // half at the ends of that range

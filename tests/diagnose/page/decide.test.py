@@ -346,6 +346,21 @@ def ways(data, likelihood):
     return result
 
 
+def shares_left(data, likelihood):
+    """The share of what a cause changes that another leaves, where that is a part of it; one where it is none."""
+    change, fits = np.array(data["nominal"]), {}
+    for one in data["hypotheses"]:
+        fits.setdefault(one["own"], np.array(one["residual"]))
+
+    def left(cause, taken):
+        if not set(taken) <= set(cause):
+            return 1
+        squares = [np.sum((other - fits[cause])[~likelihood.outlier] ** 2) for other in (fits[taken], change)]
+        return min(1, squares[0] / squares[1])
+
+    return left
+
+
 def decide(data):
     likelihood = Likelihood(data)
     all_ways = ways(data, likelihood)
@@ -369,16 +384,20 @@ def decide(data):
     nothing_left = causes and next(h["leaves_nothing"] for h in data["hypotheses"] if h["own"] == causes[0][0])
     if not causes or (leads and (listed < 1 / WRONG or not nothing_left)):
         return "unknown", set(), no_gap, outside
-    others = 1 if outside >= 1 / WRONG else 0
-    named = ([causes[0][0]] + [c for c, p in causes[1:] if p >= (listed if leads else 1) / WRONG])[: LARGEST - others]
-    if len(named) + others == 1:  # the only name costs more where it is wrong
-        rest = [outside] + [p for _, p in causes[1:]]
-        if 1.5 * WRONG * sum(rest) > 1 + WRONG * (sum(rest) - max(rest)):
-            if max(rest) > outside:
-                named.append(causes[1][0])
-            else:
-                others = 1
-    return ("identified" if len(named) + others == 1 else "ambiguous"), set(named), no_gap, outside
+    share, others, count = shares_left(data, likelihood), 1 if outside >= 1 / WRONG else 0, 1
+
+    def left(i, named):
+        return causes[i][1] * min(share(causes[i][0], taken) for taken, _ in causes[:named])
+
+    for i in range(1, min(LARGEST - others, len(causes))):
+        if left(i, count) >= (listed if leads else 1) / WRONG:
+            count = i + 1
+    if count + others == 1:  # the only name costs more where it is wrong
+        alone, with_next = (sum(left(i, n) for i in range(n, len(causes))) for n in (1, 2))
+        if 1.5 * WRONG * (alone + outside) > 1 + WRONG * min(alone, with_next + outside):
+            count, others = (2, 0) if with_next + outside < alone else (1, 1)
+    named = [cause for cause, _ in causes[:count]]
+    return ("identified" if count + others == 1 else "ambiguous"), set(named), no_gap, outside
 
 
 def main(program, *folders):

@@ -97,7 +97,8 @@ TEST_CASE("an effect is possible where the bench meets each of its conditions") 
       {"run_tare", no_force},
       {"run_tare", [](CharacteristicScales& s) { s.runs = 16; }}};  // 32 values
   CharacteristicScales in_space = all;
-  in_space.has_frames = in_space.reads_encoders = true;
+  in_space.axes = 3;
+  in_space.reads_encoders = true;
   in_space.rigid = {true, false, false};
   in_space.link_mass = {1, 1, 1};
   for (const Effect& row : catalogue()) {
