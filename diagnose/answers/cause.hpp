@@ -50,6 +50,10 @@ struct Cause {
     return verdict == CauseVerdict::identified || verdict == CauseVerdict::ambiguous ||
            verdict == CauseVerdict::partial;
   }
+  /// Whether more than the causes named acts: the gap, or what a part leaves of it, is outside the catalogue.
+  [[nodiscard]] bool leaves_a_rest() const {
+    return verdict == CauseVerdict::unknown || verdict == CauseVerdict::partial;
+  }
 };
 
 /// Mean square of a residual in the noise as it is, without outliers.

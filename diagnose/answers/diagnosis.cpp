@@ -86,42 +86,50 @@ void test_cause(const Study& study, const Findings& findings, Diagnosis& diagnos
 void offer_law_to(const Study& study, Diagnosis& diagnosis) {
   std::optional<OfferedLaw> law = offer_law(study, diagnosis.noise);
   if (!law || (law->shrink && law->shrink->ratio_high >= 1)) return;
-  const bool unknown = diagnosis.cause.verdict == CauseVerdict::unknown;
   const bool predicts_worse = diagnosis.shrink && law->shrink && law->shrink->ratio > diagnosis.shrink->ratio;
   if (predicts_worse) return;
   diagnosis.law = std::move(law);
-  if (unknown && diagnosis.law->shrink) diagnosis.shrink = diagnosis.law->shrink;
+  if (diagnosis.offers_law()) diagnosis.shrink = diagnosis.law->shrink;
 }
 
-/// A cause that is unknown may be known in part; one that is named may be only a part.
+/// A cause that is named may be only a part.
+void look_for_rest(Diagnosis& diagnosis) {
+  Cause& cause = diagnosis.cause;
+  if (cause.verdict != CauseVerdict::identified) return;
+  cause.rest =
+      rest_of(cause.ranking.front(), diagnosis.noise, diagnosis.shrink, diagnosis.gap.chi2_per_value);
+  if (cause.rest) cause.verdict = CauseVerdict::partial;
+}
+
+/// A cause that is unknown may be known in part. The law closes the gap then, or the part by itself where
+/// that predicts better.
 void look_for_parts(const Study& study, const Findings& findings, const Posterior& posterior,
                     Diagnosis& diagnosis) {
   Cause& cause = diagnosis.cause;
-  if (cause.verdict == CauseVerdict::identified) {
-    cause.rest =
-        rest_of(cause.ranking.front(), diagnosis.noise, diagnosis.shrink, diagnosis.gap.chi2_per_value);
-    if (cause.rest) cause.verdict = CauseVerdict::partial;
-  } else if (cause.verdict == CauseVerdict::unknown && !diagnosis.fails_to_predict) {
-    std::optional<InPart> found = in_part(study, findings, posterior, diagnosis.noise);
-    if (!found) return;
-    cause.verdict = CauseVerdict::partial;
-    cause.named = found->causes.size();
-    cause.rest = std::move(found->rest);
-    std::erase_if(cause.ranking, [&](const RankedCause& one) {
-      return std::any_of(found->causes.begin(), found->causes.end(),
-                         [&](const RankedCause& part) { return part.cause == one.cause; });
-    });
-    cause.ranking.insert(cause.ranking.begin(), std::make_move_iterator(found->causes.begin()),
-                         std::make_move_iterator(found->causes.end()));
-    diagnosis.shrink = found->shrink;
-  }
+  if (cause.verdict != CauseVerdict::unknown || diagnosis.fails_to_predict) return;
+  std::optional<InPart> found = in_part(study, findings, posterior, diagnosis.noise);
+  if (!found) return;
+  const bool predicts = found->shrink && found->shrink->ratio_high < 1;
+  if (!predicts && !diagnosis.offers_law()) return;
+  if (predicts && !(diagnosis.offers_law() && diagnosis.law->shrink->ratio < found->shrink->ratio))
+    diagnosis.law.reset(), diagnosis.shrink = found->shrink;
+  cause.verdict = CauseVerdict::partial;
+  cause.named = found->causes.size();
+  cause.rest = std::move(found->rest);
+  std::erase_if(cause.ranking, [&](const RankedCause& one) {
+    return std::any_of(found->causes.begin(), found->causes.end(),
+                       [&](const RankedCause& part) { return part.cause == one.cause; });
+  });
+  cause.ranking.insert(cause.ranking.begin(), std::make_move_iterator(found->causes.begin()),
+                       std::make_move_iterator(found->causes.end()));
 }
 
 void explain(const Study& study, const Findings& findings, const Posterior& posterior, Diagnosis& diagnosis) {
   test_cause(study, findings, diagnosis);
-  look_for_parts(study, findings, posterior, diagnosis);
+  look_for_rest(diagnosis);
   const Cause& cause = diagnosis.cause;
   if (cause.verdict == CauseVerdict::unknown || cause.or_unknown) offer_law_to(study, diagnosis);
+  look_for_parts(study, findings, posterior, diagnosis);
   diagnosis.not_excited = not_excited(study, findings);
   if (cause.is_explained())
     diagnosis.estimates = estimate(study, cause.ranking.front().hypothesis, posterior.temper);

@@ -34,9 +34,9 @@ struct Diagnosis {
   std::vector<std::string> joints = {};  ///< names that the model of an arm has for them; empty without
   std::shared_ptr<const Calibration> calibration = nullptr;  ///< beside which the causes stand, or none
 
-  /// Whether the law stands in for a cause: `shrink` is then the law's.
+  /// Whether the law stands in for a cause, or for what a part of it leaves: `shrink` is then the law's.
   [[nodiscard]] bool offers_law() const {
-    return cause.verdict == CauseVerdict::unknown && law && law->shrink;
+    return cause.leaves_a_rest() && law && law->shrink;
   }
 };
 

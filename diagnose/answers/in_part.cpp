@@ -47,18 +47,21 @@ std::optional<InPart> in_part(const Study& study, const Findings& findings, cons
   for (const std::string& label : posterior.surely_part)
     if (std::optional<RankedCause> one = part_with(study, findings, posterior, noise, label))
       found.causes.push_back(*std::move(one));
-  if (found.causes.empty()) return std::nullopt;
-  const Hypothesis& first = found.causes.front().hypothesis;
-  const std::optional<Shrink> gain = gain_over_smooth(study, findings, noise, first);
-  if (!gain || gain->ratio_high >= 1) return std::nullopt;
-  found.shrink = cross_validated(study, findings, noise, first);
-  if (!found.shrink || found.shrink->ratio_high >= 1) return std::nullopt;
+  std::optional<Shrink> gain;
+  const auto first = std::find_if(found.causes.begin(), found.causes.end(), [&](const RankedCause& one) {
+    gain = gain_over_smooth(study, findings, noise, one.hypothesis);
+    return gain && gain->ratio_high < 1;
+  });
+  if (first == found.causes.end()) return std::nullopt;
+  std::rotate(found.causes.begin(), first, first + 1);
+  found.shrink = cross_validated(study, findings, noise, found.causes.front().hypothesis);
   found.rest.why = fmt::format(
       "beside a smooth function of the command it leaves {:.0f} % of what that function alone leaves of "
       "unseen "
       "readings; the rest is outside the catalogue",
       100 * gain->ratio);
-  found.rest.share = found.shrink->ratio, found.rest.noise_floor = found.shrink->noise_floor_ratio;
+  found.rest.share = found.shrink ? std::min(1.0, found.shrink->ratio) : 1;
+  found.rest.noise_floor = found.shrink ? found.shrink->noise_floor_ratio : gain->noise_floor_ratio;
   return found;
 }
 

@@ -10,7 +10,7 @@
 namespace plumbline::campaign {
 
 std::string as_text(const std::vector<Outcome>& outcomes, const Comparison& comparison);
-/// Format "gap-campaign/1": docs/reference.md.
+/// Format "gap-campaign/1": docs/schemas/gap-campaign.schema.json.
 nlohmann::ordered_json as_json(const std::vector<Outcome>& outcomes, const Comparison& comparison);
 /// The page: the answer, a table, each parameter over its experiments.
 /// \param since  of outcomes in the order of time; else none

@@ -11,7 +11,7 @@
 
 namespace plumbline::campaign {
 
-/// What is read of a report in the format "gap-diagnosis/2" (docs/reference.md).
+/// What is read of a report in the format "gap-diagnosis/2" (docs/schemas/gap-diagnosis.schema.json).
 struct StatedReport {
   struct Bounds {
     double low, high;

@@ -149,8 +149,8 @@ void move_to_what_is_seen(const Study& study, const Hypothesis& hypothesis, doub
   }
 }
 
-/// The squares of what a cause changes in the readings, and of what is left of that where a part of it is
-/// taken for all of it: a ratio, one at most.
+/// The root mean square of what is left of a cause where a part of it is taken for all of it, over that of
+/// what the cause changes in the readings; one at most.
 double share_left(const Study& study, const Findings& findings, const CauseProbability& cause,
                   const CauseProbability& taken) {
   if (!std::includes(cause.labels.begin(), cause.labels.end(), taken.labels.begin(), taken.labels.end()))
@@ -163,7 +163,7 @@ double share_left(const Study& study, const Findings& findings, const CauseProba
   for (Eigen::Index i = 0; i < change.size(); ++i)
     if (!outlier[static_cast<std::size_t>(i)])
       changed += change(i) * change(i), not_taken += left(i) * left(i);
-  return not_taken < changed ? not_taken / changed : 1;
+  return not_taken < changed ? std::sqrt(not_taken / changed) : 1;
 }
 
 /// Logarithms of the probabilities of all ways, where the evidence counts to a power.

@@ -53,6 +53,19 @@ void name_another(const Posterior& posterior, Verdict& verdict) {
     verdict.or_outside = true;
 }
 
+/// Causes of which the only name is a part are named from the most probable on where they are more probable
+/// together than that name: a further effect is then more probable than none.
+void name_whole(const Posterior& posterior, Verdict& verdict) {
+  double whole = 0;
+  std::size_t first = 0;
+  for (std::size_t i = 1; i < posterior.causes.size(); ++i)
+    if (probability_left(posterior.causes[i], 1) < posterior.causes[i].probability) {
+      whole += posterior.causes[i].probability;
+      if (first == 0) first = i;
+    }
+  if (whole > posterior.causes.front().probability) verdict.named = first + 1;
+}
+
 }  // namespace
 
 Verdict decide(const Posterior& posterior) {
@@ -72,6 +85,7 @@ Verdict decide(const Posterior& posterior) {
   for (std::size_t i = 1; i < std::min(most, posterior.causes.size()); ++i)
     if (probability_left(posterior.causes[i], verdict.named) >= worth_naming) verdict.named = i + 1;
   if (names() == 1) name_another(posterior, verdict);
+  if (names() == 1) name_whole(posterior, verdict);
   verdict.verdict = names() > 1 ? CauseVerdict::ambiguous : CauseVerdict::identified;
   return verdict;
 }

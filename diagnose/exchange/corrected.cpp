@@ -108,20 +108,17 @@ std::vector<Corrected> corrected_models(const Study& study, const Diagnosis& dia
     models.add("", "with every joint calibrated", calibration->beside);
   } else if (cause.verdict == CauseVerdict::none) {
     models.add("", "as it is, for there is no gap", {});
+  } else if (cause.leaves_a_rest() && diagnosis.law) {
+    models.add_law(*diagnosis.law, true);
   } else if (cause.verdict == CauseVerdict::unknown) {
-    if (diagnosis.law) {
-      models.add_law(*diagnosis.law, true);
-    } else {
-      models.add("", "as it is, for the cause is unknown and no torque law closes the gap", {});
-    }
+    models.add("", "as it is, for the cause is unknown and no torque law closes the gap", {});
   } else {
-    const bool or_law = cause.or_unknown && diagnosis.law;
-    models.add(cause.ranking.front().hypothesis, reported(diagnosis), cause.named == 1 && !or_law);
+    models.add(cause.ranking.front().hypothesis, reported(diagnosis), cause.named == 1 && !diagnosis.law);
     for (std::size_t i = 1; i < cause.named; ++i) {
       const diagnose::Hypothesis& other = cause.ranking[i].hypothesis;
       models.add(other, in_catalogue_units(study, other.candidate, other.parameters), false);
     }
-    if (or_law) models.add_law(*diagnosis.law, false);
+    if (diagnosis.law) models.add_law(*diagnosis.law, false);
   }
   std::vector<Corrected> all = models.result();
   for (Corrected& one : all) one.model.source = source;

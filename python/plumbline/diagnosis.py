@@ -66,7 +66,7 @@ class Diagnosis:
         self._json = found.json()
 
     def to_json(self) -> str:
-        """The report as `plumbline diagnose --json` writes it: docs/reference.md."""
+        """The report as `plumbline diagnose --json` writes it: docs/schemas/gap-diagnosis.schema.json."""
         return self._json
 
     @property

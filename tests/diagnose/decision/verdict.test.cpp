@@ -115,6 +115,12 @@ TEST_CASE("a cause of which the first name is nearly all is not named beside it"
   CHECK(other.named == 3);  // the third is no form of the first, and the second stands before it
 }
 
+TEST_CASE("a name that is more probably a part than the whole has company") {
+  const Posterior posterior = posterior_of(0, 0, {0.45, 0.3, 0.25});
+  CHECK(decide(with_parts(posterior, {0.01, 0.01})).named == 2);
+  CHECK(decide(with_parts(posterior_of(0, 0, {0.55, 0.25, 0.2}), {0.01, 0.01})).named == 1);
+}
+
 TEST_CASE("a class is never larger than helps") {
   const Verdict verdict = decide(posterior_of(0, 0.1, std::vector<double>(12, 0.9 / 12)));
   CHECK(verdict.named + (verdict.or_outside ? 1 : 0) == priors::largest_class);

@@ -356,7 +356,7 @@ def shares_left(data, likelihood):
         if not set(taken) <= set(cause):
             return 1
         squares = [np.sum((other - fits[cause])[~likelihood.outlier] ** 2) for other in (fits[taken], change)]
-        return min(1, squares[0] / squares[1])
+        return min(1, np.sqrt(squares[0] / squares[1]))
 
     return left
 
@@ -396,6 +396,10 @@ def decide(data):
         alone, with_next = (sum(left(i, n) for i in range(n, len(causes))) for n in (1, 2))
         if 1.5 * WRONG * (alone + outside) > 1 + WRONG * min(alone, with_next + outside):
             count, others = (2, 0) if with_next + outside < alone else (1, 1)
+    if count + others == 1:  # is a further effect more probable than none?
+        whole = [i for i in range(1, len(causes)) if left(i, 1) < causes[i][1]]
+        if sum(causes[i][1] for i in whole) > causes[0][1]:
+            count = whole[0] + 1
     named = [cause for cause, _ in causes[:count]]
     return ("identified" if count + others == 1 else "ambiguous"), set(named), no_gap, outside
 
