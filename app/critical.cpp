@@ -19,6 +19,7 @@
 #include "proofs/certificates/certificate.hpp"
 #include "proofs/certificates/structure_certificate.hpp"
 #include "proofs/exact/critical_torque.hpp"
+#include "proofs/paths/structure_path.hpp"
 #include "proofs/rod/rod_of_chain.hpp"
 #include "statement/chain_table.hpp"
 #include "statement/stated.hpp"
@@ -187,10 +188,12 @@ void run_space(const CriticalOptions& options, const std::string& text,
   if (structure.torque) {
     if (certify) throw Error("--certify", "a torque", "forces: no certificate is made of a torque");
     const auto found = proofs::critical_torque(structure, options.digits);
+    proofs::require_regular_line(structure);
     return write(SpaceTorque{name, words, links, found.value.decimal, found.conservative}, options, outputs,
                  csv, json);
   }
   const proofs::StraightSpace straight(structure);
+  proofs::require_regular_line(structure);
   const SpaceModes modes{name, words, links, straight.modes(),
                          straight.in_decimals(wanted(options), options.digits)};
   if (certify)

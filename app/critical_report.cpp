@@ -140,9 +140,10 @@ std::string proved_text(const proofs::StabilityLoss& loss) {
   if (!loss.first)
     return "Proved: stable just below, and not just above. Smaller factors were tried in steps.\n";
   const auto again = windows(loss);
-  std::string text = again.empty()
-                         ? "Proved: the straight line is stable at every smaller factor, and not above.\n"
-                         : "Proved: the straight line is stable at every smaller factor.\n";
+  const auto open = undecided(loss);
+  std::string text =
+      fmt::format("Proved: the straight line is stable at every smaller factor{}{}.\n",
+                  open.empty() ? "" : " that is not named undecided", again.empty() ? ", and not above" : "");
   for (const Window& window : again) {
     text += fmt::format("It is stable again above {}", window.from->factor);
     text += window.to == nullptr
@@ -151,8 +152,8 @@ std::string proved_text(const proofs::StabilityLoss& loss) {
                               proofs::name_of(window.to->above == proofs::Motion::stable ? window.to->at
                                                                                          : window.to->above));
   }
-  if (const auto open = undecided(loss); !open.empty())
-    text += fmt::format("Not decided are single factors with two equal frequencies: {}.\n",
+  if (!open.empty())
+    text += fmt::format("Undecided are single factors at which two frequencies are equal: {}.\n",
                         fmt::join(open, ", "));
   return text;
 }

@@ -262,8 +262,8 @@ void run_factor(const EquilibriaOptions& options, Outputs& outputs, files::Outpu
   constexpr double half_turn = 3.1415926535897932;
   const NamedModel& chain = *options.chain.model;
   const Progress progress("equilibria", 0);
-  const auto found =
-      proofs::find_equilibria(chain.model, options.factor, starts, (1 + 2 * options.turns) * half_turn, 1);
+  const auto found = proofs::find_equilibria(chain.model, chain.wide, options.factor, starts,
+                                             (1 + 2 * options.turns) * half_turn, 1);
   if (json) json->write(page::json_text(as_json(chain, options.factor, found), outputs.provenance()));
   outputs.commit();
   if (!json) fmt::print("{}", as_text(chain, options.factor, found, starts));

@@ -16,10 +16,12 @@ const char* const table1_z =
     "lengths = [1, 1, 1, 1]\nstiffness = [1, 1, 1, 1]\nrest = [-0.2417, 0.6821, -0.7958, 0.5170]\n";
 
 NamedModel model_of(const std::string& name, const SpaceStructure<Rational>& structure) {
-  return {name, case_of(structure), bent_structure(from_rational<double>(structure))};
+  return {name, case_of(structure), bent_structure(from_rational<double>(structure)),
+          bent_structure(from_rational<Mpfr50>(structure))};
 }
 NamedModel model_of(const std::string& name, const statement::PlaneChain& chain) {
-  return {name, case_of(chain.structure), bent_structure(from_rational<double>(chain.structure))};
+  return {name, case_of(chain.structure), bent_structure(from_rational<double>(chain.structure)),
+          bent_structure(from_rational<Mpfr50>(chain.structure))};
 }
 
 }  // namespace

@@ -65,6 +65,16 @@ std::string certificate_of(const PathOptions& options, const proofs::JoinedBranc
          "\n";
 }
 
+proofs::StructurePath structure_path(const PathOptions& options, const proofs::StructureTask& task) {
+  const NamedModel& chain = *options.chain.model;
+  try {
+    return options.branches == "stable" ? proofs::follow_slowly(chain.model, chain.wide, task)
+                                        : proofs::follow_all(chain.model, chain.wide, task);
+  } catch (const Error& error) {
+    throw Error(chain.name + ": " + error.what());
+  }
+}
+
 /// The path of a chain as the factor of its file's loads grows.
 void run_factor(const PathOptions& options, Outputs& outputs, files::OutputFile* csv,
                 files::OutputFile* json) {
@@ -76,8 +86,7 @@ void run_factor(const PathOptions& options, Outputs& outputs, files::OutputFile*
   const proofs::StructureTask task{options.factor, std::max(options.step, 0.005), options.side};
   const NamedModel& chain = *options.chain.model;
   const Progress progress("path", 0);
-  const proofs::StructurePath path = options.branches == "stable" ? proofs::follow_slowly(chain.model, task)
-                                                                  : proofs::follow_all(chain.model, task);
+  const proofs::StructurePath path = structure_path(options, task);
   std::vector<proofs::StructureCertificate> certified;
   if (options.certify) {
     for (const auto& branch : path.branches)

@@ -13,6 +13,10 @@ std::string type_of(const BentPoint<double>& point) {
   return point.negative_directions == 0 ? "stable" : fmt::format("unstable ({})", point.negative_directions);
 }
 
+std::string type_of(const proofs::SampledEquilibrium& one) {
+  return one.singular ? "undecided (constraints are dependent in this shape alone)" : type_of(one.point);
+}
+
 const char* name_of(BentEventKind kind) {
   return kind == BentEventKind::fold ? "fold" : "bifurcation";
 }
@@ -28,8 +32,10 @@ const char* name_of(BentEnd end) {
       return "loss of stability";
     case BentEnd::flight:
       return "loss of stability, and no stable equilibrium was reached beyond";
+    case BentEnd::singular:
+      return "not decided beyond a shape in which alone constraints are dependent";
     default:
-      return "as many points as are allowed";
+      return "as many linear systems as are allowed were solved";
   }
 }
 
@@ -120,18 +126,18 @@ nlohmann::ordered_json as_json(const NamedModel& chain, const proofs::StructureP
           {"warnings", path.warnings}};
 }
 
-std::string as_text(const NamedModel& chain, double factor, const std::vector<BentPoint<double>>& found,
-                    std::size_t starts) {
+std::string as_text(const NamedModel& chain, double factor,
+                    const std::vector<proofs::SampledEquilibrium>& found, std::size_t starts) {
   std::string text = fmt::format(
       "{}: {} links, {}; loads times {}\n{} equilibria, by energy; found from {} random shapes: there may be "
       "others\n",
       chain.name, chain.model.chain().size(), chain.words, factor, found.size(), starts);
   for (std::size_t i = 0; i < found.size(); ++i) {
-    const Eigen::Vector3d p = end_point(chain.model, found[i]);
-    text +=
-        fmt::format("\n{:3}  {}, energy {:.12g}\n     end point {:.12g}, {:.12g}, {:.12g}\n     angles    ",
-                    i + 1, type_of(found[i]), chain.model.potential(found[i].x, factor), p(0), p(1), p(2));
-    const auto q = chain.model.angles(found[i].x);
+    const Eigen::Vector3d p = end_point(chain.model, found[i].point);
+    text += fmt::format(
+        "\n{:3}  {}, energy {:.12g}\n     end point {:.12g}, {:.12g}, {:.12g}\n     angles    ", i + 1,
+        type_of(found[i]), chain.model.potential(found[i].point.x, factor), p(0), p(1), p(2));
+    const auto q = chain.model.angles(found[i].point.x);
     for (std::size_t j = 0; j < q.size(); ++j) text += fmt::format("{}{:.12g}", j > 0 ? ", " : "", q[j]);
     text += "\n";
   }
@@ -139,9 +145,12 @@ std::string as_text(const NamedModel& chain, double factor, const std::vector<Be
 }
 
 nlohmann::ordered_json as_json(const NamedModel& chain, double factor,
-                               const std::vector<BentPoint<double>>& found) {
+                               const std::vector<proofs::SampledEquilibrium>& found) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const auto& point : found) list.push_back(to_json(chain.model, point));
+  for (const auto& one : found) {
+    list.push_back(to_json(chain.model, one.point));
+    if (one.singular) list.back()["negative_directions"] = nullptr;
+  }
   return {{"chain", chain.name},
           {"case", chain.words},
           {"factor", factor},

@@ -15,6 +15,7 @@ namespace plumbline::app {
 struct NamedModel {
   std::string name, words;
   BentStructure<double> model;
+  BentStructure<Mpfr50> wide;  ///< the same, in which singular shapes are judged
 };
 
 /// The curve in a few lines, and every event.
@@ -24,10 +25,10 @@ std::string as_csv(const NamedModel& chain, const proofs::StructurePath& path);
 nlohmann::ordered_json as_json(const NamedModel& chain, const proofs::StructurePath& path);
 
 /// Equilibria at a factor, by energy.
-std::string as_text(const NamedModel& chain, double factor, const std::vector<BentPoint<double>>& found,
-                    std::size_t starts);
+std::string as_text(const NamedModel& chain, double factor,
+                    const std::vector<proofs::SampledEquilibrium>& found, std::size_t starts);
 nlohmann::ordered_json as_json(const NamedModel& chain, double factor,
-                               const std::vector<BentPoint<double>>& found);
+                               const std::vector<proofs::SampledEquilibrium>& found);
 
 /// A certified census.
 std::string as_text(const NamedModel& chain, double factor, const proofs::StructureCensus& census);

@@ -11,6 +11,9 @@
 namespace plumbline::statement {
 namespace {
 
+/// Begins the string that a bare decimal becomes. A file has it in no word.
+constexpr char bare = '\x01';
+
 /// Whether text is written as a decimal, whatever its exponent.
 bool is_decimal(const std::string& text) {
   const std::size_t e = text.find_first_of("eE");
@@ -43,7 +46,7 @@ class JoinedDecimals {
       text_ += ';';
     } else {
       close();
-      text_ += '"';
+      text_ += "\"\\u0001";
       open_ = true;
     }
     text_ += digits;
@@ -101,6 +104,21 @@ std::string quote_decimals(const std::string& text) {
 
 }  // namespace
 
+std::optional<std::string> decimals_in(const toml::node& node) {
+  const auto text = node.value_exact<std::string>();
+  return text && text->starts_with(bare) ? std::optional(text->substr(1)) : std::nullopt;
+}
+
+std::string as_written(const toml::node& node) {
+  if (const auto decimals = decimals_in(node)) return files::shown(*decimals);
+  std::ostringstream text;
+  if (const auto word = node.value_exact<std::string>())
+    text << (is_decimal(*word) ? '"' + *word + '"' : *word);
+  else
+    text << toml::node_view(node);
+  return text.str().empty() ? "nothing" : files::shown(text.str());
+}
+
 /// The numbers of a text that joins them by ';', behind those before.
 void add_joined(std::vector<Rational>& values, const std::string& field, const std::string& list) {
   for (std::size_t at = 0; at <= field.size();) {
@@ -115,9 +133,11 @@ void add_joined(std::vector<Rational>& values, const std::string& field, const s
 std::vector<Rational> numbers_of(const toml::array& list, const std::string& name) {
   std::vector<Rational> values;
   for (const toml::node& item : list) {
-    std::ostringstream found;
-    if (!item.is_string()) found << toml::node_view(item);
-    add_joined(values, item.value_or(found.str()), name);
+    const auto decimals = decimals_in(item);
+    if (!decimals)
+      throw Error(name + ", entry " + std::to_string(values.size() + 1), as_written(item),
+                  "a decimal number");
+    add_joined(values, *decimals, name);
   }
   return values;
 }
@@ -127,11 +147,9 @@ toml::table parse_decimal_toml(const std::string& text, const std::string& sourc
 }
 
 Rational number_of(const toml::node& node, const std::string& where) {
-  std::ostringstream found;
-  if (!node.is_string()) found << toml::node_view(node);
-  const std::string text = node.value_or(found.str());
-  const auto value = proofs::parse_decimal(text);
-  if (!value) throw Error(where, files::shown(text), "a decimal number");
+  const auto text = decimals_in(node);
+  const auto value = text ? proofs::parse_decimal(*text) : std::nullopt;
+  if (!value) throw Error(where, as_written(node), "a decimal number");
   return *value;
 }
 

@@ -2,6 +2,7 @@
 /// \file
 /// TOML whose numbers are the exact decimals that stand there.
 
+#include <optional>
 #include <plumbline/base/error.hpp>
 #include <plumbline/base/number.hpp>
 #include <string>
@@ -11,9 +12,16 @@
 
 namespace plumbline::statement {
 
-/// Every bare decimal becomes a string, those that follow each other in a list one string, joined by `;`.
+/// Every bare decimal becomes a string that decimals_in() knows from one that stands in quotes; those that
+/// follow each other in a list become one, joined by `;`.
 /// \throws Error that names the source and the line
 toml::table parse_decimal_toml(const std::string& text, const std::string& source);
+
+/// A decimal as it is written, or several, joined by `;`; nothing where anything else stands there, such as a
+/// number in quotes.
+std::optional<std::string> decimals_in(const toml::node& node);
+/// A value as it stands in a file, for an error: a number in quotes with them.
+std::string as_written(const toml::node& node);
 
 /// The numbers of a text that joins them by ';', behind those before. \param list  names them in errors; the
 /// numbers of a list whose name ends in lengths or stiffness are positive, or not negative

@@ -11,7 +11,8 @@ Restraint<Rational> read_restraint(const TypedTable& table, std::string_view key
   const std::string word = word_of(table.node(key));
   if (word == "free") return {};
   if (word == "held") return Restraint<Rational>::held();
-  const auto stiffness = proofs::parse_decimal(word);
+  const auto decimals = decimals_in(table.node(key));
+  const auto stiffness = decimals ? proofs::parse_decimal(*decimals) : std::nullopt;
   if (stiffness && *stiffness >= 0) return Restraint<Rational>::sprung(*stiffness);
   throw Error(table.place(key), as_written(table.node(key)),
               "\"free\", \"held\" or the stiffness of a spring");
@@ -43,9 +44,9 @@ Support<Rational> read_end(const TypedTable& table, std::string_view key, const 
 }
 
 std::size_t read_node(const TypedTable& table, std::string_view key, std::size_t n) {
-  const std::string word = word_of(table.node(key));
-  if (word == "end_point") return n;
-  const auto joint = proofs::parse_decimal(word);
+  if (word_of(table.node(key)) == "end_point") return n;
+  const auto decimals = decimals_in(table.node(key));
+  const auto joint = decimals ? proofs::parse_decimal(*decimals) : std::nullopt;
   if (!joint || mp::denominator(*joint) != 1 || *joint < 2 || *joint > n)
     throw Error(table.place(key), as_written(table.node(key)),
                 n > 1 ? "\"end_point\" or the number of a joint from 2 to " + std::to_string(n)

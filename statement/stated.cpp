@@ -13,12 +13,10 @@ namespace {
 using nlohmann::json;
 
 /// Decimals that a list joins by ';' are entries of it.
-void append(json& list, const std::string& text) {
-  for (std::size_t at = 0; at <= text.size();) {
-    const std::size_t end = std::min(text.find(';', at), text.size());
-    const std::size_t first = std::min(text.find_first_not_of(' ', at), end);
-    const std::size_t behind = text.find_last_not_of(' ', end - 1) + 1;
-    const std::string item = text.substr(first, behind - first);
+void append(json& list, const std::string& decimals) {
+  for (std::size_t at = 0; at <= decimals.size();) {
+    const std::size_t end = std::min(decimals.find(';', at), decimals.size());
+    const std::string item = decimals.substr(at, end - at);
     const auto number = proofs::parse_decimal(item);
     list.push_back(number ? proofs::to_exact(*number) : item);
     at = end + 1;
@@ -34,8 +32,8 @@ json to_json(const toml::node& node) {
   if (const toml::array* array = node.as_array()) {
     json list = json::array();
     for (const toml::node& item : *array) {
-      if (item.is_string())
-        append(list, *item.value<std::string>());
+      if (const auto decimals = decimals_in(item))
+        append(list, *decimals);
       else
         list.push_back(to_json(item));
     }
@@ -43,8 +41,10 @@ json to_json(const toml::node& node) {
   }
   if (const auto flag = node.value_exact<bool>())
     return *flag ? 1 : 0;  // what certificates have in their place
+  const auto decimals = decimals_in(node);
+  if (!decimals) return node.value_or(std::string());
   json list = json::array();
-  append(list, node.value_or(std::string()));
+  append(list, *decimals);
   return list[0];
 }
 

@@ -1,9 +1,7 @@
 #include "statement/typed_table.hpp"
 
 #include <algorithm>
-#include <sstream>
 
-#include "proofs/exact/decimal.hpp"
 #include "statement/decimal_toml.hpp"
 #include "support/files/printable.hpp"
 
@@ -70,8 +68,7 @@ bool TypedTable::flag(std::string_view key, bool otherwise) const {
   if (!has(key)) return otherwise;
   if (const auto value = node(key).value_exact<bool>()) return *value;
   const std::string found = as_written(node(key)), word = word_of(node(key));
-  const bool quoted = !word.empty() && !proofs::parse_decimal(word);  // a decimal is text here alone
-  throw Error(place(key), quoted ? '"' + found + '"' : found, "true or false");
+  throw Error(place(key), word == found && !word.empty() ? '"' + found + '"' : found, "true or false");
 }
 
 TypedTable TypedTable::table(std::string_view key, const std::vector<std::string_view>& known) const {
@@ -96,16 +93,8 @@ std::vector<TypedTable> TypedTable::tables(std::string_view key, const std::vect
   return all;
 }
 
-std::string as_written(const toml::node& node) {
-  std::ostringstream text;
-  if (node.is_string())
-    text << *node.value<std::string>();
-  else
-    text << toml::node_view(node);
-  return text.str().empty() ? "nothing" : files::shown(text.str());
-}
-
 std::string word_of(const toml::node& node) {
+  if (decimals_in(node)) return "";
   return node.value_exact<std::string>().value_or(std::string());
 }
 

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "support/files/toml_file.hpp"
+#include "statement/decimal_toml.hpp"
 
 namespace plumbline::statement {
 
@@ -54,8 +54,6 @@ class TypedTable {
   std::string source_;
 };
 
-/// A value as it stands in a file, for an error.
-std::string as_written(const toml::node& node);
 /// The word that stands there; empty where it is none.
 std::string word_of(const toml::node& node);
 

@@ -35,22 +35,26 @@ def rotation_vector(roll, pitch, yaw):
 class Experiment:
     def __init__(self, name, model, base, tip, points, place, turn=None, edit=lambda text: text):
         self.name, self.model, self.base, self.tip, self.points = name, model, base, tip, points
-        self.place, self.turn, self.edit, self.table = place, turn, edit, []
+        self.place, self.turn, self.edit, self.runs = place, turn, edit, {}
+
+    def add(self, row, run="poses"):
+        self.runs.setdefault(run, []).append(row)
 
     def write(self, out):
         folder = out / self.name
         folder.mkdir(parents=True, exist_ok=True)
         (folder / "arm.urdf").write_text(self.edit(self.model.read_text()))
-        with open(folder / "poses.csv", "w", newline="") as file:
-            writer = csv.DictWriter(file, self.table[0].keys())
-            writer.writeheader()
-            writer.writerows(self.table)
+        for run, table in self.runs.items():
+            with open(folder / f"{run}.csv", "w", newline="") as file:
+                writer = csv.DictWriter(file, table[0].keys())
+                writer.writeheader()
+                writer.writerows(table)
         points = "".join(f'[[arm.point]]\nname = "{one}"\nbody = "{self.tip}"\n' for one in self.points)
         turn = f"turn = {self.turn}\n" if self.turn else ""
+        runs = "".join(f'[[run]]\nid = "{run}"\nsamples = "{run}.csv"\n' for run in self.runs)
         (folder / "experiment.toml").write_text(
             f'format = "chain-experiment/1"\nname = "{self.name}"\n[arm]\nmodel = "arm.urdf"\n'
-            f'base = "{self.base}"\ntip = "{self.tip}"\nframes = "unknown"\n{points}[noise]\nplace = {self.place}\n{turn}'
-            f'[[run]]\nid = "poses"\nsamples = "poses.csv"\n'
+            f'base = "{self.base}"\ntip = "{self.tip}"\nframes = "unknown"\n{points}[noise]\nplace = {self.place}\n{turn}{runs}'
         )
 
 
@@ -60,7 +64,7 @@ def irb120(data):
         one = {f"q_command{j}": math.radians(float(row[f"q{j}_deg"])) for j in range(1, 7)}
         for p, name in enumerate("abc", 1):
             one |= {f"{name}_{axis}": float(row[f"p{p}_{axis}"]) / 1000 for axis in "xyz"}
-        own.table.append(one)
+        own.add(one)
     return own
 
 
@@ -71,7 +75,7 @@ def ur10(data):
         one = {f"q_command{j}": row[f"{name}_joint"] for j, name in enumerate(joints, 1)}
         one |= {f"a_{axis}": row[f"{axis}1"] for axis in "xyz"}
         turn = rotation_vector(*(float(row[f"phi{axis}1"]) for axis in "xyz"))
-        own.table.append(one | {f"a_r{axis}": value for axis, value in zip("xyz", turn)})
+        own.add(one | {f"a_r{axis}": value for axis, value in zip("xyz", turn)})
     return own
 
 
@@ -81,13 +85,14 @@ def tiago(data):
     joints = ["torso_lift"] + [f"arm_{j}" for j in range(1, 8)]
     for row in rows(data / "tiago-figaroh/poses.csv"):
         one = {f"q_command{j}": row[f"{name}_joint"] for j, name in enumerate(joints, 1)}
-        own.table.append(one | {f"a_{axis}": row[f"{axis}1"] for axis in "xyz"})
+        own.add(one | {f"a_{axis}": row[f"{axis}1"] for axis in "xyz"})
     return own
 
 
 def talos(data):
     own = Experiment("talos", data / "talos/arm.urdf", "base_link", "gripper_left_base_link", ["a"], 1e-3)
-    own.table = rows(data / "talos/p.csv") + rows(data / "talos-heldout/p.csv")
+    for row in rows(data / "talos/p.csv") + rows(data / "talos-heldout/p.csv"):
+        own.add(row)
     return own
 
 
@@ -98,11 +103,14 @@ def with_one_column(urdf):
 
 
 def hilti(data, name):
-    model = data / "hilti/trailblazer.urdf"
+    """A run for each height of the column, which is held out whole. What the sensor on its base says of the vertical is printed."""
+    model, table = data / "hilti/trailblazer.urdf", rows(data / f"hilti/{name}.csv")
     own = Experiment(f"hilti-{name}", model, "column_base", "tool_link", ["prism"], 7.5e-4, edit=with_one_column)
-    for row in rows(data / f"hilti/{name}.csv"):
+    for row in table:
         one = {f"q_command{j}": row[f"q{j}"] for j in range(1, 8)}
-        own.table.append(one | {f"prism_{axis}": row[f"prism_{axis}"] for axis in "xyz"})
+        own.add(one | {f"prism_{axis}": row[f"prism_{axis}"] for axis in "xyz"}, f"height-{row['height']}")
+    tilt = [1000 * sum(float(row[f"base_a{axis}"]) for row in table) / len(table) / 9.81 for axis in "xy"]
+    print(f"hilti-{name}: the vertical by the sensor on the base, in its axes: {tilt[0]:.1f} and {tilt[1]:.1f} mrad")
     return own
 
 

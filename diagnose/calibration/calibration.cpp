@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <plumbline/base/error.hpp>
 
+#include "diagnose/bench/registration.hpp"
 #include "diagnose/calibration/columns.hpp"
-#include "diagnose/calibration/registration.hpp"
 #include "diagnose/calibration/unseen.hpp"
 #include "diagnose/inference/least_squares.hpp"
 

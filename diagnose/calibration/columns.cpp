@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "diagnose/calibration/registration.hpp"
+#include "diagnose/bench/registration.hpp"
 
 namespace plumbline::diagnose {
 namespace {

@@ -9,6 +9,13 @@ namespace {
 
 constexpr std::size_t folds = 5;
 
+/// Whole runs are held out where there are as many as folds, else readings.
+std::size_t fold_of(const Measurements& measurements, std::size_t value) {
+  const auto& place = measurements.places()[value];
+  const std::size_t runs = measurements.places().back().run + 1;
+  return (runs >= folds ? place.run : place.reading) % folds;
+}
+
 /// Sums of squares by sensor.
 struct Sums {
   double places = 0, place_count = 0, turns = 0, turn_count = 0;
@@ -28,8 +35,7 @@ LeftOfPoses tested(const UnseenTest& test, Coefficients coefficients) {
   for (std::size_t fold = 0; fold < folds; ++fold) {
     std::vector<Eigen::Index> seen, held;
     for (std::size_t i = 0; i < measurements.size(); ++i)
-      (measurements.places()[i].reading % folds == fold ? held : seen)
-          .push_back(static_cast<Eigen::Index>(i));
+      (fold_of(measurements, i) == fold ? held : seen).push_back(static_cast<Eigen::Index>(i));
     if (seen.size() <= static_cast<std::size_t>(test.frames.cols())) continue;
     const MatrixXd frames = test.frames(seen, Eigen::all), columns = test.effects.columns(seen, Eigen::all);
     const VectorXd values = test.values(seen);

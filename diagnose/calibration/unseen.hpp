@@ -6,7 +6,8 @@
 
 namespace plumbline::diagnose {
 
-/// Every fifth reading is held out, five times over; frames are fitted to the others each time.
+/// Every fifth reading is held out, five times over, or every fifth run where there are five or more; frames
+/// are fitted to the others each time.
 struct UnseenTest {
   const Measurements& measurements;
   const MatrixXd& frames;

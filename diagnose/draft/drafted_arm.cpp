@@ -165,6 +165,9 @@ class ArmDrafter {
           fmt::format("base_xyz = {}  # of the base in the tracker's frame, m\nbase_rpy = {}\ngravity = {}\n",
                       list(base.translation()), list(roll_pitch_yaw(base.linear())),
                       list(registration_.frame.linear() * arm_.arm.gravity));
+      text +=
+          "frames = \"unknown\"  # found from these poses alone; \"known\" if a registration of its own says "
+          "so\n";
     }
     text += "\n[noise]  # of a single reading: its scatter in time, or what is usual\n";
     add_noise(text, Channel::Name::place, usual_place());

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "diagnose/rig/delayed.hpp"
+#include "diagnose/rig/tube.hpp"
 
 namespace plumbline::diagnose {
 namespace {
@@ -31,18 +32,39 @@ ArmTraveller::ArmTraveller(const Experiment& experiment, const Rig& own, const R
       behind_(own.command_delay > 0 ? delayed(run, own.command_delay) : std::vector<Reading>{}),
       on_(own, run.rest),
       arm_(on_.rig.arm->arm),
-      compliance_(compliance(arm_)),
       sliders_(sliders),
       contact_(arm_.size() * sliders_, Contact::sticks),
       memory_(arm_.size()),
       rest_(arm_.size()),
       way_(arm_.size(), 0.0) {
+  extend(run.rest);
   Eigen::Index next = 0;
   for (std::size_t i = 0; i < arm_.size(); ++i) {
     joint_.push_back(next);
-    if (yields_by_law(on_.rig, i)) compliance_(next, next) = 0;
     next += yields(arm_.links[i]) ? 7 : 1;
   }
+  soften();
+}
+
+/// What has slid out of the link before bends up to the joint.
+void ArmTraveller::extend(const std::vector<double>& command) {
+  const SerialArm<double>& still = on_.rig.arm->arm;
+  for (std::size_t i = 0; i < arm_.size() && on_.rig.flexibility > 0; ++i) {
+    if (arm_.links[i].kind != JointKind::prismatic) continue;
+    constexpr double shortest = 1e-6;  // m: as many freedoms wherever it stands
+    const double length = std::max(std::abs(command[i]), shortest);
+    arm_.links[i].compliance =
+        still.links[i].compliance +
+        carried_on(
+            tube_compliance(std::copysign(length, command[i]) * still.links[i].axis, on_.rig.flexibility),
+            still.far_end(i).translation());
+  }
+}
+
+void ArmTraveller::soften() {
+  compliance_ = compliance(arm_);
+  for (std::size_t i = 0; i < joint_.size(); ++i)
+    if (yields_by_law(on_.rig, i)) compliance_(joint_[i], joint_[i]) = 0;
 }
 
 void ArmTraveller::head_for(std::size_t number) {
@@ -69,6 +91,7 @@ void ArmTraveller::head_for(std::size_t number) {
     rest_[i] = rest;
   }
   expand(reading);
+  if (on_.rig.flexibility > 0) extend(on_.command), soften();
   target_ = commanded(arm_, column(rest_));
   wrenches_.clear();
   if (!reading.wrench.empty()) {

@@ -33,6 +33,10 @@ class ArmTraveller {
   void write(Eigen::Ref<Eigen::ArrayXd> row) const;
 
  private:
+  /// Lets what has slid out bend by its length, which Rig::flexibility makes yield in an arm.
+  void extend(const std::vector<double>& command);
+  /// The compliance of all freedoms, of the arm as it is.
+  void soften();
   /// Lengthens the arm by the temperature of a reading.
   void expand(const Reading& reading);
   /// A place on a link at that temperature.

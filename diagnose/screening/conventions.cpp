@@ -356,7 +356,7 @@ void require_no_slip(const Study& study) {
   if (!doubt) return;
   throw Error(
       study.experiment().name,
-      fmt::format("readings in which {} (the places are then off by {} of the reach, instead of {})",
+      fmt::format("readings in which {} (the places are then off by {} of their spread, instead of {})",
                   doubt->looks_like, percent(doubt->left), percent(doubt->as_read)),
       "places near those of the nominal arm: if it is so, write " + doubt->remedy + "; if not, pass --as-is");
 }

@@ -11,8 +11,27 @@ BentPoint<double> unloaded(BentTracer<double>& tracer, const BentStructure<doubl
   if (found && found->negative_directions == 0) return *found;
   auto rest = tracer.solver().settle(model.rest(), 0);
   if (!rest)
-    throw Error("unloaded structure", "no rest within 5000 steps of its flow", "a stable equilibrium");
+    throw Error("unloaded structure", "no rest within 20 000 linear systems of its flow",
+                "a stable equilibrium");
   return *std::move(rest);
+}
+
+[[noreturn]] void refuse_singular() {
+  throw Error("unloaded structure",
+              "constraints that are dependent in this shape and not beside it, so that small motion does not "
+              "tell whether it is stable",
+              "supports, ends and axes that are independent, or dependent in every shape");
+}
+
+/// Where a path begins.
+BentPoint<double> regular_start(BentTracer<double>& tracer, const BentStructure<double>& model) {
+  BentPoint<double> start = unloaded(tracer, model);
+  if (tracer.is_singular_at(start.x)) refuse_singular();
+  return start;
+}
+
+BentTracer<double>::Judge judge_in(const BentStructure<Mpfr50>& wide) {
+  return [&wide](const Vector<double>& x) { return is_singular(wide, x); };
 }
 
 BentLimits<double> limits_of(const StructureTask& task) {
@@ -36,29 +55,40 @@ bool on(const BentBranch<double>& branch, const BentPoint<double>& point, double
   return false;
 }
 
-/// Half a turn either way of a passive joint is one shape.
-bool is_new(const BentStructure<double>& model, const std::vector<BentPoint<double>>& known,
-            const BentPoint<double>& point) {
-  return std::none_of(known.begin(), known.end(), [&](const BentPoint<double>& one) {
-    return (model.unwound(model.rest() + one.x - point.x) - model.rest()).norm() < 1e-6;
+/// Half a turn either way of a passive joint is one shape. A singular one is known to half the digits that
+/// what is held is held to.
+bool is_new(const BentStructure<double>& model, const std::vector<SampledEquilibrium>& known,
+            const SampledEquilibrium& found) {
+  return std::none_of(known.begin(), known.end(), [&](const SampledEquilibrium& one) {
+    const double near = one.singular && found.singular ? 1e-4 : 1e-6;
+    return (model.unwound(model.rest() + one.point.x - found.point.x) - model.rest()).norm() < near;
   });
 }
 
 }  // namespace
 
-StructurePath follow_slowly(const BentStructure<double>& model, const StructureTask& task) {
-  const BentLimits<double> limits = limits_of(task);
-  BentTracer<double> tracer(model, limits);
-  return {true, load_slowly(tracer, unloaded(tracer, model), limits, task.side), {}};
+void require_regular_line(SpaceStructure<Rational> structure) {
+  structure.loads.clear();
+  structure.torque.reset();  // it has no energy, which is not asked for
+  const auto wide = bent_structure(from_rational<Mpfr50>(structure));
+  if (is_singular(wide, wide.rest())) refuse_singular();
 }
 
-StructurePath follow_all(const BentStructure<double>& model, const StructureTask& task) {
+StructurePath follow_slowly(const BentStructure<double>& model, const BentStructure<Mpfr50>& wide,
+                            const StructureTask& task) {
+  const BentLimits<double> limits = limits_of(task);
+  BentTracer<double> tracer(model, limits, judge_in(wide));
+  return {true, load_slowly(tracer, regular_start(tracer, model), limits, task.side), {}};
+}
+
+StructurePath follow_all(const BentStructure<double>& model, const BentStructure<Mpfr50>& wide,
+                         const StructureTask& task) {
   constexpr std::size_t most = 200;
   const BentLimits<double> limits = limits_of(task);
-  BentTracer<double> tracer(model, limits);
+  BentTracer<double> tracer(model, limits, judge_in(wide));
   StructurePath path{false, {}, {}};
-  std::deque<std::pair<BentPoint<double>, bool>> starts{{unloaded(tracer, model), true}};
-  while (!starts.empty() && path.branches.size() < most) {
+  std::deque<std::pair<BentPoint<double>, bool>> starts{{regular_start(tracer, model), true}};
+  while (!starts.empty() && path.branches.size() < most && !tracer.is_spent()) {
     const auto [start, growing] = starts.front();
     starts.pop_front();
     const bool known = std::any_of(path.branches.begin(), path.branches.end(),
@@ -75,16 +105,20 @@ StructurePath follow_all(const BentStructure<double>& model, const StructureTask
     }
     path.branches.push_back(std::move(branch));
   }
-  if (!starts.empty() && path.branches.size() == most)
-    path.warnings.emplace_back("more than 200 branches: the rest is left out");
+  if (!starts.empty())
+    path.warnings.push_back("more than " +
+                            (tracer.is_spent() ? std::to_string(limits.solves) + " linear systems"
+                                               : std::to_string(most) + " branches") +
+                            ": the rest is left out");
   return path;
 }
 
-std::vector<BentPoint<double>> find_equilibria(const BentStructure<double>& model, double factor,
-                                               std::size_t starts, double turn, std::uint64_t seed) {
+std::vector<SampledEquilibrium> find_equilibria(const BentStructure<double>& model,
+                                                const BentStructure<Mpfr50>& wide, double factor,
+                                                std::size_t starts, double turn, std::uint64_t seed) {
   BentSolver<double> solver(model);
   std::mt19937_64 random(seed);
-  std::vector<BentPoint<double>> found;
+  std::vector<SampledEquilibrium> found;
   const Vector<double> rest = model.rest(), none = Vector<double>::Constant(model.held(), 0.0);
   for (std::size_t s = 0; s < starts; ++s) {
     Vector<double> x = rest;
@@ -95,11 +129,14 @@ std::vector<BentPoint<double>> find_equilibria(const BentStructure<double>& mode
     auto point = solver.at_factor(x, factor, none);
     if (!point) continue;
     point->x = model.unwound(point->x);
-    if ((point->x - rest).cwiseAbs().maxCoeff() <= turn && is_new(model, found, *point))
-      found.push_back(*point);
+    if ((point->x - rest).cwiseAbs().maxCoeff() > turn) continue;
+    SampledEquilibrium one{*std::move(point), false};
+    if (!is_new(model, found, one)) continue;
+    one.singular = is_singular(wide, one.point.x);
+    if (is_new(model, found, one)) found.push_back(std::move(one));
   }
   std::stable_sort(found.begin(), found.end(), [&](const auto& a, const auto& b) {
-    return model.potential(a.x, factor) < model.potential(b.x, factor);
+    return model.potential(a.point.x, factor) < model.potential(b.point.x, factor);
   });
   return found;
 }

@@ -22,15 +22,29 @@ struct StructureTask {
   int side = 1;  ///< where a symmetric structure buckles
 };
 
+/// \throws Error where what holds a straight chain is dependent there and not beside it: small motion then
+///         tells of no stability
+void require_regular_line(SpaceStructure<Rational> structure);
+
 /// What the slowly loaded structure does, from its unloaded shape: fixed loads are there from the beginning.
-/// \throws Error where it does not come to rest
-StructurePath follow_slowly(const BentStructure<double>& model, const StructureTask& task);
+/// \param wide  the same structure in more digits, in which singular shapes are judged
+/// \throws Error where it does not come to rest, or does at a singular shape
+StructurePath follow_slowly(const BentStructure<double>& model, const BentStructure<Mpfr50>& wide,
+                            const StructureTask& task);
 /// Every branch that hangs together with the unloaded shape.
-StructurePath follow_all(const BentStructure<double>& model, const StructureTask& task);
+StructurePath follow_all(const BentStructure<double>& model, const BentStructure<Mpfr50>& wide,
+                         const StructureTask& task);
+
+/// An equilibrium that a random shape led to.
+struct SampledEquilibrium {
+  BentPoint<double> point;
+  bool singular;  ///< at a singular shape of what holds the structure: whether it is stable is not decided
+};
 
 /// Equilibria at a factor by energy, from so many random shapes: never sure to be all. Joint angles are
 /// sought within `turn` of those at rest.
-std::vector<BentPoint<double>> find_equilibria(const BentStructure<double>& model, double factor,
-                                               std::size_t starts, double turn, std::uint64_t seed);
+std::vector<SampledEquilibrium> find_equilibria(const BentStructure<double>& model,
+                                                const BentStructure<Mpfr50>& wide, double factor,
+                                                std::size_t starts, double turn, std::uint64_t seed);
 
 }  // namespace plumbline::proofs

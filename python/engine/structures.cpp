@@ -4,6 +4,7 @@
 #include "proofs/certificates/structure_certificate.hpp"
 #include "proofs/exact/critical_torque.hpp"
 #include "proofs/exact/straight_space.hpp"
+#include "proofs/paths/structure_path.hpp"
 #include "python/engine/engine.hpp"
 #include "statement/chain_file.hpp"
 #include "statement/stated.hpp"
@@ -32,10 +33,15 @@ Structure<Rational> straight_structure(const std::string& text) {
 }
 
 Decimals factors_of(const SpaceStructure<Rational>& structure, std::size_t lowest, int digits) {
-  if (structure.torque) return {proofs::critical_torque(structure, digits).value.decimal};
+  if (structure.torque) {
+    const auto found = proofs::critical_torque(structure, digits);
+    proofs::require_regular_line(structure);
+    return {found.value.decimal};
+  }
   Decimals all;
   for (const proofs::SpaceMode& mode : proofs::StraightSpace(structure).in_decimals(lowest, digits))
     all.push_back(mode.force);
+  proofs::require_regular_line(structure);
   return all;
 }
 
@@ -66,7 +72,9 @@ py::dict stability_loss(const std::string& text, int digits) {
 nlohmann::json certificate_of(const std::string& name, const nlohmann::json& stated,
                               const SpaceStructure<Rational>& structure, std::size_t lowest, int digits) {
   if (structure.torque) throw Error("loads", "a torque", "forces: no certificate is made of a torque");
-  return proofs::structure_certificate(name, stated, proofs::StraightSpace(structure), lowest, digits);
+  const proofs::StraightSpace straight(structure);
+  proofs::require_regular_line(structure);
+  return proofs::structure_certificate(name, stated, straight, lowest, digits);
 }
 
 nlohmann::json certificate_of(const std::string& name, const nlohmann::json& stated,

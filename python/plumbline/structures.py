@@ -130,11 +130,16 @@ def _text(chain: Chain) -> str:
 
 
 def _value(value: Any) -> str:
-    """As TOML; numbers in quotes, which keep them exact."""
+    """As TOML; a text that is a decimal is a number."""
     if isinstance(value, (bool, np.bool_)):
         return "true" if value else "false"
     if isinstance(value, Mapping):
         return "{ " + ", ".join(f"{json.dumps(str(key))} = {_value(one)}" for key, one in value.items()) + " }"
     if isinstance(value, Iterable) and not isinstance(value, (str, bytes)):
         return "[" + ", ".join(_value(one) for one in value) + "]"
-    return json.dumps(decimal_text(value))
+    text = decimal_text(value)
+    try:
+        number = decimal.Decimal(text)
+    except decimal.InvalidOperation:
+        return json.dumps(text)
+    return str(number) if number.is_finite() else json.dumps(text)

@@ -62,6 +62,12 @@ def end_row(statement):
     return sum(how == "held" for how in statement.supports.values()) * (2 if statement.space else 1)
 
 
+def why_singular(statement):
+    """That no small motion tells whether the straight line is stable; in the plane constraints are dependent at every shape or at none."""
+    singular = statement.space and is_singular(statement, [0.0] * energy.unknowns(statement))
+    return "a line at which alone constraints are dependent" if singular else ""
+
+
 def rank(rows):
     values = numpy.linalg.svd(rows, compute_uv=False) if len(rows) else numpy.zeros(0)
     return int(numpy.sum(values > 1e-7 * max(values, default=0.0)))

@@ -4,6 +4,7 @@ from fractions import Fraction
 
 import numpy
 
+import bent
 import census
 import energy
 import integers
@@ -39,7 +40,7 @@ def paths(program, text, tally, factor):
         return verdict
     line = straight(statement)
     if answer.refused:
-        return against(why_no_path(line), answer)
+        return against(why_no_path(line) or bent.why_singular(statement), answer)
     if why_no_path(line):
         return [("unsettled", "")]
     faults = []
@@ -51,7 +52,7 @@ def paths(program, text, tally, factor):
             if fault:
                 faults.append(f"at factor {point['factor']:.12g}: {fault}")
                 break
-        faults += missing_bifurcations(line, branch, tally)
+        faults += missing_bifurcations(statement, line, branch, tally)
     return [(UNCERTIFIED, f) for f in faults[:2]] or [("answered", "")]
 
 
@@ -66,7 +67,7 @@ def why_no_path(line):
     return "" if modes.is_stable_unloaded(line) else "it is not stable unloaded"
 
 
-def missing_bifurcations(line, branch, tally):
+def missing_bifurcations(statement, line, branch, tally):
     """Critical factors that a straight stretch of a branch passes without an event."""
     flat = [p for p in branch["points"] if max(map(abs, p["q"])) < STRAIGHT]
     if len(flat) < 2 or not line.balanced:
@@ -75,6 +76,8 @@ def missing_bifurcations(line, branch, tally):
     passed = sum(line.negatives(Fraction(high))) - line.negatives(Fraction(low))[0]
     seen = [e for e in branch["events"] if max(map(abs, e["q"])) < 1e-6]
     tally.checked["straight stretches"] += 1
+    if bent.why_singular(statement):
+        return ["a path along " + bent.why_singular(statement)]
     if passed and not seen:
         return [f"{passed} critical factors passed between {low} and {high}"]
     for event in seen:

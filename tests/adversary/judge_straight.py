@@ -1,6 +1,7 @@
 """Verdicts on `critical`: what it says of a straight structure against what is true of it."""
 import random
 
+import bent
 import dynamics
 import integers
 import modes
@@ -57,7 +58,7 @@ def why_not_straight(line):
 
 
 def of_modes(statement, line, answer, tally):
-    reason = why_not_straight(line) or ("" if modes.count(line) else "no factor is critical")
+    reason = why_not_straight(line) or ("" if modes.count(line) else "no factor is critical") or bent.why_singular(statement)
     verdict = against(reason, answer)
     if verdict:
         return verdict

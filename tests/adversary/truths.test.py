@@ -130,6 +130,19 @@ class Assemblies(unittest.TestCase):
                 self.assertLess(bent.found(statement, shape, 1.0).residual, 1e-7)
 
 
+class Singular(unittest.TestCase):
+    CHAIN = "lengths = [2, 1]\njoints = [{{ axes = [{first}], stiffness = [1] }}, {{ axes = [[0, 1, 1], {second}], stiffness = [1, 1] }}]\n"
+
+    def test_rows_that_are_one_in_the_straight_line_alone_are_singular(self):  # all turns lift the end point along (0, -1, 1)
+        self.assertTrue(bent.why_singular(read(self.CHAIN.format(first="[1, 1, 1]", second="[1, 1, 1]"))))
+
+    def test_rows_that_are_one_in_every_shape_are_not(self):  # one plane holds the chain
+        self.assertFalse(bent.why_singular(read(self.CHAIN.format(first="[0, 1, 1]", second="[0, 2, 2]"))))
+
+    def test_independent_rows_are_not(self):
+        self.assertFalse(bent.why_singular(read(self.CHAIN.format(first="[0, 0, 1]", second="[0, 1, 0]"))))
+
+
 class Statements(unittest.TestCase):
     def test_contradictions_are_refused(self):
         chain = "lengths = [1, 1]\nstiffness = [1, 1]\n"

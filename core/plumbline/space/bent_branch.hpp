@@ -3,6 +3,7 @@
 /// Branches of equilibria of a bent structure as the factor of its loads grows: pseudo-arclength
 /// continuation, with stability, folds and bifurcations.
 
+#include <functional>
 #include <plumbline/space/bent_equilibrium.hpp>
 
 namespace plumbline {
@@ -24,12 +25,13 @@ struct BentEvent {
 
 /// The reasons for which a branch ends.
 enum class BentEnd {
-  factor,  ///< the factor leaves the limits
-  closed,  ///< the branch has come back to its first point
-  stuck,   ///< no step short enough converges
-  loss,    ///< of stability, and the structure went on elsewhere
-  flight,  ///< of stability, and no rest was reached beyond
-  points   ///< as many points as the limits allow
+  factor,    ///< the factor leaves the limits
+  closed,    ///< the branch has come back to its first point
+  stuck,     ///< no step short enough converges
+  loss,      ///< of stability, and the structure went on elsewhere
+  flight,    ///< of stability, and no rest was reached beyond
+  singular,  ///< at a singular shape of what holds the structure, which decides nothing
+  budget     ///< as many linear systems were solved as the limits allow
 };
 
 /// A branch of equilibria, in the order in which it was followed.
@@ -37,7 +39,7 @@ template <Number Real>
 struct BentBranch {
   std::vector<BentPoint<Real>> points;  ///< from the start on
   std::vector<BentEvent<Real>> events;  ///< between those points
-  BentEnd end = BentEnd::points;        ///< why it goes no further
+  BentEnd end = BentEnd::budget;        ///< why it goes no further
 };
 
 /// How far a branch is followed, and in what steps.
@@ -46,17 +48,24 @@ struct BentLimits {
   Real from;  ///< smallest factor
   Real to;    ///< largest factor
   Real longest =
-      Real(1) / Real(20);      ///< step: root mean square turn of the axes in radians, and share of `to`
-  std::size_t points = 20000;  ///< at most
+      Real(1) / Real(20);        ///< step: root mean square turn of the axes in radians, and share of `to`
+  std::size_t solves = 500'000;  ///< linear systems of one tracer, at most: all its loops end there
 };
 
 /// Pseudo-arclength continuation of one model. Dense, O(n^3) a step.
 template <Floating Real>
 class BentTracer {
  public:
+  /// Whether a shape is singular.
+  using Judge = std::function<bool(const Vector<Real>&)>;
+
   /// \param model  has to outlive the tracer
   BentTracer(const BentStructure<Real>& model, BentLimits<Real> limits)
-      : solver_(model), limits_(std::move(limits)) {}
+      : BentTracer(model, std::move(limits),
+                   [&model](const Vector<Real>& x) { return is_singular(model, x); }) {}
+  /// \param singular  judges shapes in more digits
+  BentTracer(const BentStructure<Real>& model, BentLimits<Real> limits, Judge singular)
+      : solver_(model), limits_(std::move(limits)), singular_(std::move(singular)) {}
 
   /// The branch from a point on, towards growing factor, or the other way.
   BentBranch<Real> run(BentPoint<Real> start, bool growing = true) {
@@ -65,7 +74,7 @@ class BentTracer {
     const BentPoint<Real> first = start;
     branch.points.push_back(std::move(start));
     Real h = limits_.longest / Real(4);
-    while (branch.points.size() < limits_.points) {
+    while (!is_spent()) {
       const BentPoint<Real> here = branch.points.back();
       auto next = step(here, h);
       if (!next) {
@@ -82,13 +91,13 @@ class BentTracer {
         if (last) {
           BentPoint<Real> end = *last;
           orient(end, here);
-          note(branch, here, end, Real(share * h));
+          if (!note(branch, here, end, Real(share * h))) return branch;
           branch.points.push_back(std::move(end));
         }
         branch.end = BentEnd::factor;
         return branch;
       }
-      note(branch, here, *next, h);
+      if (!note(branch, here, *next, h)) return branch;
       branch.points.push_back(*next);
       if (branch.points.size() > 8 && distance(branch.points.back(), first) < h / Real(2)) {
         branch.end = BentEnd::closed;
@@ -116,6 +125,10 @@ class BentTracer {
 
   /// The Newton solver of the model.
   BentSolver<Real>& solver() { return solver_; }
+  /// Whether it has solved as many systems as its limits allow.
+  [[nodiscard]] bool is_spent() const { return solver_.solves() >= limits_.solves; }
+  /// Whether a shape is singular.
+  [[nodiscard]] bool is_singular_at(const Vector<Real>& x) const { return singular_(x); }
 
  private:
   using Row = typename BentSolver<Real>::Row;
@@ -163,10 +176,11 @@ class BentTracer {
     return next;
   }
 
-  /// The event between two points a step h apart, where the negative directions change.
-  void note(BentBranch<Real>& branch, const BentPoint<Real>& a, const BentPoint<Real>& b, const Real& h) {
+  /// The event between two points a step h apart, where the negative directions change. \return false where
+  /// it is at a singular shape, which ends the branch
+  bool note(BentBranch<Real>& branch, const BentPoint<Real>& a, const BentPoint<Real>& b, const Real& h) {
     const bool turned = (a.tangent_factor < Real(0)) != (b.tangent_factor < Real(0));
-    if (a.negative_directions == b.negative_directions && !turned) return;
+    if (a.negative_directions == b.negative_directions && !turned) return true;
     Real low(0), high = h;
     BentPoint<Real> at = b;
     for (int i = 0; i < 60; ++i) {
@@ -179,14 +193,47 @@ class BentTracer {
       (passed ? high : low) = middle;
       if (high - low < Real(64) * epsilon<Real>()) break;
     }
+    if (singular_(at.x)) {
+      branch.end = BentEnd::singular;
+      return false;
+    }
     const auto kind = turned ? BentEventKind::fold : BentEventKind::bifurcation;
     branch.events.push_back(
         {kind, branch.points.size(), at, turned ? Vector<Real>() : solver_.weakest_direction(at)});
+    return true;
   }
 
   BentSolver<Real> solver_;
   BentLimits<Real> limits_;
+  Judge singular_;
 };
+
+namespace detail {
+
+/// The stable part of a branch; whether there is more of it.
+template <Floating Real>
+bool cut_where_unstable(BentBranch<Real>& branch) {
+  const auto unstable = std::find_if(branch.points.begin(), branch.points.end(),
+                                     [](const auto& point) { return point.negative_directions > 0; });
+  if (unstable == branch.points.end()) return false;
+  const auto end = static_cast<std::size_t>(unstable - branch.points.begin());
+  branch.points.erase(unstable, branch.points.end());
+  std::erase_if(branch.events, [end](const auto& event) { return event.before > end; });
+  branch.end = BentEnd::loss;
+  return true;
+}
+
+/// The weakest direction of a point, towards a side.
+template <Floating Real>
+Vector<Real> leaving(BentSolver<Real>& solver, const BentPoint<Real>& point, int side) {
+  Vector<Real> way = solver.weakest_direction(point);
+  const auto first =
+      std::find_if(way.begin(), way.end(), [](const Real& x) { return x > Real(1e-6) || x < Real(-1e-6); });
+  if (first != way.end() && (*first < Real(0)) != (side < 0)) way = -way;
+  return way;
+}
+
+}  // namespace detail
 
 /// What a slowly loaded structure does: it follows its stable branch from a point on; where stability ends it
 /// leaves a bifurcation to the given side, or jumps, to where the energy flows. \throws Error where the start
@@ -197,31 +244,27 @@ std::vector<BentBranch<Real>> load_slowly(BentTracer<Real>& tracer, BentPoint<Re
   if (start.negative_directions > 0) throw Error("slow loading", "an unstable start", "a stable one");
   const Real nudge = Real(1) / Real(1000);
   std::vector<BentBranch<Real>> history;
-  for (int stretch = 0; stretch < 64; ++stretch) {
-    BentBranch<Real> branch = tracer.run(start);
-    std::size_t end = 0;
-    while (end < branch.points.size() && branch.points[end].negative_directions == 0) ++end;
-    const bool lost = end < branch.points.size();
-    branch.points.resize(end);
-    std::erase_if(branch.events, [end](const auto& event) { return event.before > end; });
-    if (lost) branch.end = BentEnd::loss;
-    history.push_back(branch);
-    if (!lost) return history;
-    BentPoint<Real> last = branch.events.empty() ? branch.points.back() : branch.events.back().point;
-    Vector<Real> way = tracer.solver().weakest_direction(last);
-    const auto first =
-        std::find_if(way.begin(), way.end(), [](const Real& x) { return x > Real(1e-6) || x < Real(-1e-6); });
-    if (first != way.end() && (*first < Real(0)) != (side < 0)) way = -way;
+  while (true) {
+    history.push_back(tracer.run(start));
+    BentBranch<Real>& branch = history.back();
+    if (!detail::cut_where_unstable(branch)) return history;
+    const BentPoint<Real> last = branch.events.empty() ? branch.points.back() : branch.events.back().point;
+    const Vector<Real> way = detail::leaving(tracer.solver(), last, side);
     const Real factor = last.factor + nudge * nudge * limits.to;
     if (factor > limits.to) return history;
     auto rest = tracer.solver().settle(last.x + nudge * way, factor);
     if (!rest) {
-      history.back().end = BentEnd::flight;
-      return history;
+      branch.end = BentEnd::flight;
+    } else if (tracer.is_singular_at(rest->x)) {
+      branch.end = BentEnd::singular;
+    } else if (tracer.is_spent()) {
+      branch.end = BentEnd::budget;
+    } else {
+      start = *std::move(rest);
+      continue;
     }
-    start = *std::move(rest);
+    return history;
   }
-  throw Error("slow loading", "64 jumps", "fewer");
 }
 
 }  // namespace plumbline

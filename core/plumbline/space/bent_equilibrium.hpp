@@ -2,10 +2,11 @@
 /// \file
 /// Equilibria of a bent structure at a factor of its loads: by Newton's method, and where the energy flows.
 ///
-/// What a support beside a clamp holds twice is left out exactly (implied_holds.hpp). At a single shape, and
-/// for axes in space, others may depend on each other still. So the rank of the constraints' gradients comes
-/// first: those that the others imply take no part in the equations and are only asked to hold, and the
-/// negative directions are those of the Hessian among the motions that are left.
+/// What a support beside a clamp holds twice is left out exactly (implied_holds.hpp); axes in space may leave
+/// others that depend on each other. So the rank of the constraints' gradients comes first: those that the
+/// others imply take no part in the equations and are only asked to hold, and the negative directions are
+/// those of the Hessian among the motions that are left. They say nothing at a singular shape
+/// (singular_shape.hpp).
 ///
 /// \code{.cpp}
 /// // An upright cantilever of two links under more than its critical load 0.38 k / L leans to one side.
@@ -20,10 +21,8 @@
 /// assert(rest && rest->negative_directions == 0 && rest->x(0) > 0.5);
 /// \endcode
 
-#include <algorithm>
 #include <optional>
-#include <plumbline/base/bordered_band.hpp>
-#include <plumbline/space/bent_structure.hpp>
+#include <plumbline/space/singular_shape.hpp>
 
 namespace plumbline {
 
@@ -38,38 +37,6 @@ struct BentPoint {
   Vector<Real> tangent_multiplier;      ///< change of the multipliers
   Real tangent_factor{0};  ///< change of the factor: together of length one in the branch's measure
 };
-
-namespace detail {
-
-/// Rows that span all rows: the pivots of an elimination. What it leaves of a row that depends on others is
-/// rounding, some units of the size of that row in the last place.
-template <Floating Real>
-std::vector<Eigen::Index> independent_rows(Matrix<Real> rows) {
-  using std::abs;
-  const Real rounding = Real(64 * static_cast<double>(rows.cols() + 1)) * epsilon<Real>();
-  std::vector<Eigen::Index> open, found;
-  for (Eigen::Index i = 0; i < rows.rows(); ++i) {
-    const Real size = rows.row(i).cwiseAbs().maxCoeff();
-    if (!(size > Real(0))) continue;
-    rows.row(i) /= size;
-    open.push_back(i);
-  }
-  while (!open.empty()) {
-    Eigen::Index column = 0;
-    const auto largest = [&](Eigen::Index i) { return rows.row(i).cwiseAbs().maxCoeff(); };
-    const auto best = std::max_element(
-        open.begin(), open.end(), [&](Eigen::Index a, Eigen::Index b) { return largest(a) < largest(b); });
-    const Eigen::Index pivot = *best;
-    if (!(rows.row(pivot).cwiseAbs().maxCoeff(&column) > rounding)) break;
-    open.erase(best);
-    found.push_back(pivot);
-    for (const Eigen::Index i : open)
-      rows.row(i) -= (rows(i, column) / rows(pivot, column)) * rows.row(pivot);
-  }
-  return found;
-}
-
-}  // namespace detail
 
 /// Newton's method for one model. Dense, O(n^3) a step.
 template <Floating Real>
@@ -123,17 +90,18 @@ class BentSolver {
   }
 
   /// The stable equilibrium at a factor that the structure flows to from a shape, with equal dampers at all
-  /// joints. Nothing where none is reached in 5000 steps: a passive link under a moment turns for ever.
+  /// joints. Nothing where 20 000 linear systems reach none: a passive link under a moment turns for ever.
   std::optional<BentPoint<Real>> settle(Vector<Real> x, const Real& factor) {
     const Real longest = Real(1) / Real(8);
     Vector<Real> multiplier = Vector<Real>::Constant(model_->held(), Real(0));
     Real damping(-1);
-    for (int step = 0; step < 5000; ++step) {
+    for (const std::size_t last = solves_ + 20'000; solves_ < last;) {
       expand(x, factor, multiplier);
       const Real stiffest = at_.hessian.diagonal().cwiseAbs().maxCoeff();
       if (damping < Real(0)) damping = Real(10) * stiffest;
       Matrix<Real> K = matrix(damping);
       Matrix<Real> counted = K;
+      ++solves_;
       if (negative_eigenvalues(counted) > rank_) {
         damping *= Real(4);
         continue;
@@ -177,6 +145,8 @@ class BentSolver {
     return x / x.norm();
   }
 
+  /// How many linear systems have been solved.
+  [[nodiscard]] std::size_t solves() const { return solves_; }
   /// The model whose equilibria are found.
   [[nodiscard]] const BentStructure<Real>& model() const { return *model_; }
 
@@ -185,7 +155,7 @@ class BentSolver {
 
   void expand(const Vector<Real>& x, const Real& factor, const Vector<Real>& multiplier) {
     model_->expand(x, factor, multiplier, at_);
-    const auto independent = detail::independent_rows(at_.held_gradient);
+    const auto independent = detail::independent_rows(at_.held_gradient).row;
     rank_ = independent.size();
     implied_.assign(static_cast<std::size_t>(model_->held()), true);
     for (const Eigen::Index row : independent) implied_[static_cast<std::size_t>(row)] = false;
@@ -225,7 +195,8 @@ class BentSolver {
     }
     return K;
   }
-  Vector<Real> solve(const Row& row, const Vector<Real>& right) const {
+  Vector<Real> solve(const Row& row, const Vector<Real>& right) {
+    ++solves_;
     const Eigen::Index n = model_->size(), c = model_->held();
     Matrix<Real> A(n + c + 1, n + c + 1);
     A.topLeftCorner(n + c, n + c) = matrix(Real(0));
@@ -259,6 +230,7 @@ class BentSolver {
 
   const BentStructure<Real>* model_;
   BentExpansion<Real> at_;
+  std::size_t solves_ = 0;
   std::size_t rank_ = 0;       ///< of the constraints there
   std::vector<bool> implied_;  ///< which of them follow from the others
 };

@@ -1,6 +1,8 @@
 /// \file
 /// Effects of the links.
 
+#include <algorithm>
+
 #include "diagnose/rig/effects/each_joint.hpp"
 #include "diagnose/rig/effects/rows.hpp"
 
@@ -9,6 +11,12 @@ namespace {
 
 Vector2 gravity_in_plane(const Addition& to) {
   return to.scales.gravity * to.down;
+}
+
+/// Whether a link slides out of another, under loads.
+bool slides_under_load(const Place& at) {
+  return at.scales.axes == 3 && points_are_read(at) && (at.scales.weighs || at.scales.imposes_force) &&
+         std::find(at.scales.slides.begin(), at.scales.slides.end(), true) != at.scales.slides.end();
 }
 
 bool weight_shows(const Place& at) {
@@ -76,6 +84,11 @@ std::vector<Effect> link_effects() {
        .parameters = one_of(ParameterKind::bending_rigidity, "EI"),
        .add = [](const Addition& to) { to.rig.arm->bend(to.joint, 1 / to.value[0]); },
        .possible = [](const Place& at) { return at.scales.axes == 3 && at.scales.reach[at.joint] > 0; }},
+      {.id = "slide_bending",
+       .words = "a sliding link that bends the more the farther it stands out",
+       .parameters = one_of(ParameterKind::bending_rigidity, "EI"),
+       .add = [](const Addition& to) { to.rig.flexibility += 1 / to.value[0]; },
+       .possible = slides_under_load},
   };
 }
 

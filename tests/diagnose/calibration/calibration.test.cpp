@@ -1,7 +1,7 @@
 #include "diagnose/calibration/calibration.hpp"
 
 #include "diagnose/answers/diagnosis.hpp"
-#include "diagnose/calibration/registration.hpp"
+#include "diagnose/bench/registration.hpp"
 #include "diagnose/inference/calibration.hpp"
 #include "tests/diagnose/arms.hpp"
 

@@ -116,6 +116,7 @@ TEST_CASE("the frame of the tracker is told, and with it the model has the readi
     // places were written to a ten-thousandth of a millimetre
     CHECK(std::abs(*place->get(axis)->value<double>() -
                    foreign().translation()(static_cast<Eigen::Index>(axis))) < 1e-6);
+  CHECK(settings["arm"]["frames"].value<std::string>() == "unknown");
   const auto* gravity = settings["arm"]["gravity"].as_array();
   REQUIRE(gravity != nullptr);
   const Eigen::Vector3d down = foreign().linear() * Eigen::Vector3d(0, 0, -9.81);

@@ -209,6 +209,34 @@ TEST_CASE("an arm that grows reaches out by its length, the rate and the warmth 
   CHECK_FALSE(is_possible(Study(with_temperatures(20))));
 }
 
+// A weight W that hangs a metre beside the top of a column of height h turns that by W h / EI, and moves it
+// by W h^2 / 2 EI to its side (a cantilever under a moment). The turn's square, 1e-6, and what W gains by the
+// way, 1e-3 of the moment, are left.
+TEST_CASE("a column that slides out bends by its height, and more than so to its side") {
+  constexpr double W = 30, EI = 1e5;
+  NominalArm column;
+  add_link(column, {0, 0, 0}, {0, 0, 0}, {0, 0, 1}, 0, 0, {0, 0, 0});
+  column.arm.links[0].kind = JointKind::prismatic;
+  column.base = "floor", column.tip = "hook";
+  column.arm.tip.translation() = Vector3<double>(1, 0, 0);
+  Experiment experiment = arm_bench(column, 4);
+  for (Run& run : experiment.runs)
+    for (std::size_t r = 0; r < run.readings.size(); ++r) {
+      run.readings[r].rest = {r == 0 ? 1.0 : 2.0};
+      run.readings[r].wrench = {0, 0, -W, 0, 0, 0};
+    }
+  const Study study(experiment);
+  const Prediction bent = predict(study, only("slide_bending"), {1 / EI});
+  REQUIRE(bent.reached);
+  for (const Eigen::Index r : {0, 1}) {
+    const double h = r == 0 ? 1 : 2;
+    const Vector3<double> moved = place_of_tip(bent.runs[0], r) - Vector3<double>(1, 0, h);
+    CHECK(moved.x() == doctest::Approx(W * h * h / (2 * EI)).epsilon(3e-3));
+    CHECK(moved.z() == doctest::Approx(-W * h / EI).epsilon(3e-3));
+    CHECK(std::abs(moved.y()) < 1e-12);
+  }
+}
+
 TEST_CASE("a tool yields to its weight and load, and a loose one drops to whichever side hangs down") {
   constexpr double b = 0.01, c = 1e-4;
   const double away = std::acos(-1.0);

@@ -158,8 +158,9 @@ TEST_CASE("a fork of links of unlike lengths is proved in few tubes") {
   Structure<Rational> structure(Chain<Rational>({1, 40, 1}, {0, 1, 1}));
   structure.end_point = {{}, Restraint<Rational>::sprung(1), {}};
   structure.add_compression();
-  const auto branches =
-      follow_slowly(bent_structure(from_rational<double>(structure)), {3, 0.05, 1}).branches;
+  const auto branches = follow_slowly(bent_structure(from_rational<double>(structure)),
+                                      bent_structure(from_rational<Mpfr50>(structure)), {3, 0.05, 1})
+                            .branches;
   REQUIRE(branches.size() == 2);
   const auto proved = certify(structure, branches[1], 3);
   CAPTURE(proved.failure);

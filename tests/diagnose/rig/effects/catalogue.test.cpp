@@ -58,6 +58,7 @@ TEST_CASE("a sizeable amount of each effect, by hand") {
       {"mass_scale", {0.1}},
       {"axial_compliance", {0.01 / 7}},
       {"link_bending", {0.3 / (4 * 1.3)}},
+      {"slide_bending", {0.3 / (4 * 1.3)}},
       {"tip_payload", {0.7}},
       {"base_compliance", {c, c}},
       {"rail_misalignment", {0.05}},

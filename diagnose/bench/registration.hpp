@@ -15,8 +15,23 @@ void move_tracker(Experiment& experiment, const Pose<double>& frame);
 /// \param by  in the axes of the point
 void move_point(Experiment& experiment, std::size_t point, const Pose<double>& by);
 
+/// A place that was seen, and the link that carries the point, where the arm is said to have it.
+struct Sight {
+  std::size_t point;
+  Pose<double> link;
+  Vector3<double> place;
+};
+
+/// Root mean square distance of places from those of an arm, over that from their mean: the same in any unit.
+/// \param points  on their links
+double misfit_as_told(const std::vector<Sight>& sights, const std::vector<Vector3<double>>& points);
+
+/// The same with tracker and points where they fit best, from the points on that are given.
+double misfit_in_any_frame(const std::vector<Sight>& sights, std::vector<Vector3<double>> points);
+
 /// The world of the arm in the frame of the tracker, with all points where they fit best: by Gauss and
-/// Newton's method from every orientation that turns axes into axes, geometry nominal and joints at their
+/// Newton's method from the frame in which declared points fit best (Kabsch), and from every orientation that
+/// turns axes into axes, geometry nominal and joints at their
 /// commands. Places and orientations are told in the world of the arm thereafter. Nothing moves where there
 /// are fewer places than unknowns.
 /// \returns the frame by which they were moved

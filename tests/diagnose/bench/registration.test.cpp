@@ -1,4 +1,4 @@
-#include "diagnose/calibration/registration.hpp"
+#include "diagnose/bench/registration.hpp"
 
 #include "tests/close_to.hpp"
 #include "tests/diagnose/arms.hpp"

@@ -1,8 +1,9 @@
-#include "diagnose/calibration/registration.hpp"
+#include "diagnose/bench/registration.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/SVD>
 #include <algorithm>
+#include <cmath>
 
 namespace plumbline::diagnose {
 namespace {
@@ -34,13 +35,6 @@ Eigen::Matrix3d told(const Experiment& experiment, std::size_t point, const Run&
       .linear();
 }
 
-/// A place that was seen, and the link that carries the point.
-struct Sight {
-  std::size_t point;
-  Pose<double> link;
-  Vector3<double> place;
-};
-
 std::vector<Sight> sights_of(const Experiment& experiment) {
   const std::size_t joints = experiment.arm->arm.size();
   std::vector<Sight> all;
@@ -67,6 +61,14 @@ struct Frames {
     double sum = 0;
     for (const Sight& one : sights) sum += (seen(one) - one.place).squaredNorm();
     return sum;
+  }
+  /// Root mean square distance, over that of the places from their mean.
+  [[nodiscard]] double misfit(const std::vector<Sight>& sights) const {
+    Vector3<double> mean = Vector3<double>::Zero();
+    for (const Sight& one : sights) mean += one.place / static_cast<double>(sights.size());
+    double spread = 0;
+    for (const Sight& one : sights) spread += (one.place - mean).squaredNorm();
+    return spread > 0 ? std::sqrt(squares(sights) / spread) : 0;
   }
 };
 
@@ -135,13 +137,34 @@ std::vector<Eigen::Matrix3d> turns_of_axes() {
   return all;
 }
 
+/// The rotation that is nearest to all of some.
+Eigen::Matrix3d mean_rotation(const Eigen::Matrix3d& sum) {
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Eigen::Matrix3d sign = Eigen::Matrix3d::Identity();
+  sign(2, 2) = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
+  return svd.matrixU() * sign * svd.matrixV().transpose();
+}
+
+/// With the tracker where the points as they are fit best: W. Kabsch, Acta Cryst. A32 (1976).
+Frames placed(Frames frames, const std::vector<Sight>& sights) {
+  const auto count = static_cast<double>(sights.size());
+  frames.tracker.setIdentity();
+  Vector3<double> seen = Vector3<double>::Zero(), place = seen;
+  for (const Sight& one : sights) seen += frames.seen(one) / count, place += one.place / count;
+  Eigen::Matrix3d product = Eigen::Matrix3d::Zero();
+  for (const Sight& one : sights) product += (one.place - place) * (frames.seen(one) - seen).transpose();
+  frames.tracker.linear() = mean_rotation(product);
+  frames.tracker.translation() = place - frames.tracker.linear() * seen;
+  return frames;
+}
+
 Frames best_of_starts(const Frames& nominal, const std::vector<Sight>& sights) {
   constexpr std::size_t enough = 100;
   std::vector<Sight> few;
   const std::size_t stride = (sights.size() + enough - 1) / enough;
   for (std::size_t i = 0; i < sights.size(); i += stride) few.push_back(sights[i]);
-  Frames best = nominal;
-  double least = nominal.squares(few);
+  Frames best = descended(placed(nominal, few), few, 60);
+  double least = best.squares(few);
   for (const Eigen::Matrix3d& turn : turns_of_axes()) {
     Frames start = nominal;
     start.tracker.linear() = turn;
@@ -153,14 +176,6 @@ Frames best_of_starts(const Frames& nominal, const std::vector<Sight>& sights) {
     if (const double squares = start.squares(few); squares < least) least = squares, best = start;
   }
   return descended(std::move(best), sights, 100);
-}
-
-/// The rotation that is nearest to all of some.
-Eigen::Matrix3d mean_rotation(const Eigen::Matrix3d& sum) {
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Eigen::Matrix3d sign = Eigen::Matrix3d::Identity();
-  sign(2, 2) = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
-  return svd.matrixU() * sign * svd.matrixV().transpose();
 }
 
 /// Turns a point's frame to the mean of what was seen of it.
@@ -204,6 +219,15 @@ void move_point(Experiment& experiment, std::size_t point, const Pose<double>& b
       write(reading, Channel::Name::turn, point, joints,
             rotation_vector<double>(by.linear().transpose() * rotation_by<double>(turn)));
   });
+}
+
+double misfit_as_told(const std::vector<Sight>& sights, const std::vector<Vector3<double>>& points) {
+  return Frames{Pose<double>::Identity(), points}.misfit(sights);
+}
+
+double misfit_in_any_frame(const std::vector<Sight>& sights, std::vector<Vector3<double>> points) {
+  const Frames start{Pose<double>::Identity(), std::move(points)};
+  return descended(placed(start, sights), sights, 30).misfit(sights);
 }
 
 Pose<double> register_frames(Experiment& experiment) {
