@@ -22,14 +22,17 @@ readings of a run from 0. An effect is written `id`, or `id(j)` where it acts at
 FORMATS = [
     ("experiment", "experiment.toml", "A folder with one is an [experiment](experiment-format.md). Keys in **bold** are required.", True),
     ("arm-experiment", "experiment.toml of an arm", "That of an [arm in space](arms.md).", False),
+    ("motion-experiment", "experiment.toml of a joint in motion", "That of [logs of a joint](motion.md).", True),
     ("user-effects", "Effects of your own", "The file of `--effects` ([how](user-effects.md)).", False),
     ("label", "label.json", "The known cause of an experiment, read by `plumbline trial` alone.", False),
     ("gap-diagnosis", "The report", "What `plumbline diagnose FOLDER --json` writes; the page of `--html` carries the same places (`data-key`).", True),
     ("gap-campaign", "The report of many", "What `plumbline diagnose FOLDER FOLDER … --json` writes ([how](many-experiments.md)).", False),
     ("experiment-plan", "The plan", "What `plumbline diagnose FOLDER --plan --json` writes ([how](plan.md)).", False),
+    ("motion-report", "The report of motion", "What `plumbline diagnose FOLDER --json` writes of [logs of a joint](motion.md).", False),
+    ("torque-report", "The report of torques", "What it writes of an [arm whose torques were read](motion.md#an-arm-whose-torques-were-read).", False),
 ]
 # These say all their keys but for those that are said to be absent.
-REPORTS = ("gap-diagnosis", "gap-campaign", "experiment-plan")
+REPORTS = ("gap-diagnosis", "gap-campaign", "experiment-plan", "motion-report", "torque-report")
 
 
 class Schema:
