@@ -25,6 +25,7 @@ SI units and radians; joints, links, tables count from 1, readings of a run from
 FORMATS = [
     ("experiment", "experiment.toml", "Makes a folder an [experiment](experiment-format.md).", True),
     ("arm-experiment", "experiment.toml of an arm", "Beside the keys above, for an [arm in space](arms.md).", False),
+    ("motion-experiment", "experiment.toml of a joint in motion", "For [logs of a joint](motion.md).", True),
     ("user-effects", "Effects of your own", "The file of `--effects` ([how](user-effects.md)).", False),
     ("gap-diagnosis", "The report", "The parts of what `plumbline diagnose FOLDER --json` writes, and of the page of `--html` (`data-key`); the schema has their keys.", None),
 ]

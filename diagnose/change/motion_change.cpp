@@ -82,6 +82,7 @@ MotionLog relative_log(const MotionLog& log, const Counterlog& there, const std:
   std::vector<double> lack = other.position;
   for (std::size_t k = 0; k < lack.size(); ++k) lack[k] -= predicted[k];
   MotionLog relative = log;
+  relative.beside.clear();  // what the model lacks of a channel is not known as well as of positions
   for (std::size_t k = 0; k < log.time.size(); ++k)
     relative.position[k] -= at(other, lack, log.time[k] - log.time.front() + there.offset);
   return relative;

@@ -45,6 +45,12 @@ Study::Study(Bench bench, double duration)
   for (const Segment& one : segments_) begins_.push_back(initial_state(bench_.logs[one.log], one.first));
 }
 
+Quantities Study::sigmas() const {
+  Quantities all{bench_.sigma};
+  std::copy(bench_.sigma_beside.begin(), bench_.sigma_beside.end(), all.begin() + 1);
+  return all;
+}
+
 std::vector<Parameter> Study::parameters(const Candidate& candidate) const {
   std::vector<Parameter> all = unknown_;
   for (const Row* row : candidate.rows) all.insert(all.end(), row->parameters.begin(), row->parameters.end());
@@ -61,16 +67,48 @@ Drive<double> Study::drive(const std::vector<Parameter>& parameters,
 
 namespace {
 
-/// Where the means of a segment begin. One lasts as long as the encoder shows one value, for such readings
-/// have one error; and so a value counts once in the variance of a mean.
-std::vector<std::size_t> mean_begins(const MotionLog& log, const Segment& place) {
+/// Where the means of a segment begin. One lasts as long as one value is shown, for such readings have one
+/// error; and so a value counts once in the variance of a mean.
+std::vector<std::size_t> mean_begins(const std::vector<double>& time, const std::vector<double>& shown,
+                                     const Segment& place) {
   std::vector<std::size_t> first{0};
   for (std::size_t k = 1; k < place.end - place.first; ++k) {
     const std::size_t now = place.first + k, begin = place.first + first.back();
-    const bool moves = log.position[now] != log.position[now - 1] || log.position[now] != log.position[begin];
-    if (moves && log.time[now] - log.time[begin] >= mean_duration) first.push_back(k);
+    const bool moves = shown[now] != shown[now - 1] || shown[now] != shown[begin];
+    if (moves && time[now] - time[begin] >= mean_duration) first.push_back(k);
   }
   return first;
+}
+
+/// One mean of a quantity, with its derivatives.
+template <class Number>
+struct Mean {
+  std::size_t quantity;
+  double time = 0, measured = 0, variance;
+  Number predicted{0};
+};
+
+/// \param sigma  of one reading
+template <class Number>
+void add_means(std::vector<Mean<Number>>& means, std::size_t quantity, const MotionLog& log,
+               const Segment& place, const std::vector<double>& shown, const std::vector<Number>& predicted,
+               double sigma) {
+  std::vector<std::size_t> first = mean_begins(log.time, shown, place);
+  first.push_back(predicted.size());
+  for (std::size_t i = 0; i + 1 < first.size(); ++i) {
+    Mean<Number> mean{quantity, 0, 0, 0, Number(0)};
+    const auto count = static_cast<double>(first[i + 1] - first[i]);
+    std::set<double> told;
+    for (std::size_t k = first[i]; k < first[i + 1]; ++k) {
+      mean.time += log.time[place.first + k] / count;
+      mean.measured += shown[place.first + k] / count;
+      mean.predicted = mean.predicted + predicted[k];
+      told.insert(shown[place.first + k]);
+    }
+    mean.predicted = mean.predicted / count;
+    mean.variance = sigma * sigma / static_cast<double>(told.size());
+    means.push_back(std::move(mean));
+  }
 }
 
 }  // namespace
@@ -87,32 +125,32 @@ SegmentMeans Study::left_of(std::size_t segment, const std::vector<Parameter>& p
   const MotionLog& log = bench_.logs[place.log];
   const InitialState& rough = begins_[segment];
   const Eigen::Vector2d unit(sizes_.angle, sizes_.speed);
-  const std::vector<Number> angle =
-      angles_of(carried, log, place, Number::variable(rough.q + unit(0) * begin(0), at_begin),
-                Number::variable(rough.v + unit(1) * begin(1), at_begin + 1));
-
-  std::vector<std::size_t> first = mean_begins(log, place);
-  const auto rows = static_cast<Eigen::Index>(first.size()),
+  const std::vector<std::vector<Number>> read =
+      readings_of(carried, log, place, Number::variable(rough.q + unit(0) * begin(0), at_begin),
+                  Number::variable(rough.v + unit(1) * begin(1), at_begin + 1));
+  std::vector<Mean<Number>> means;
+  add_means(means, 0, log, place, log.position, read[0], bench_.sigma);
+  for (std::size_t i = 0; i < log.beside.size(); ++i) {
+    const auto channel = static_cast<std::size_t>(log.beside[i].channel);
+    add_means(means, 1 + channel, log, place, log.beside[i].value, read[1 + i], bench_.sigma_beside[channel]);
+  }
+  const auto rows = static_cast<Eigen::Index>(means.size()),
              columns = static_cast<Eigen::Index>(parameters.size());
-  first.push_back(angle.size());
-  SegmentMeans left{Eigen::VectorXd::Zero(rows), Eigen::VectorXd::Zero(rows), Eigen::MatrixXd(rows, columns),
-                    Eigen::MatrixXd(rows, 2),    Eigen::VectorXd(rows),       begin};
+  SegmentMeans left{{},
+                    Eigen::VectorXd(rows),
+                    Eigen::VectorXd(rows),
+                    Eigen::MatrixXd(rows, columns),
+                    Eigen::MatrixXd(rows, 2),
+                    Eigen::VectorXd(rows),
+                    begin};
   for (Eigen::Index i = 0; i < rows; ++i) {
-    const std::size_t from = first[static_cast<std::size_t>(i)], to = first[static_cast<std::size_t>(i) + 1];
-    const auto count = static_cast<double>(to - from);
-    Number sum;
-    for (std::size_t k = from; k < to; ++k) {
-      left.time(i) += log.time[place.first + k] / count;
-      left.residual(i) += log.position[place.first + k] / count;
-      sum = sum + angle[k];
-    }
-    const Number mean = sum / count;
-    left.residual(i) -= mean.value;
-    left.slopes.row(i) = mean.derivative.head(columns).matrix().transpose();
-    left.initial.row(i) = mean.derivative.tail(2).matrix().transpose() * unit.asDiagonal();
-    const std::set<double> told(log.position.begin() + static_cast<std::ptrdiff_t>(place.first + from),
-                                log.position.begin() + static_cast<std::ptrdiff_t>(place.first + to));
-    left.variance(i) = bench_.sigma * bench_.sigma / static_cast<double>(told.size());
+    const Mean<Number>& mean = means[static_cast<std::size_t>(i)];
+    left.quantity.push_back(mean.quantity);
+    left.time(i) = mean.time;
+    left.residual(i) = mean.measured - mean.predicted.value;
+    left.slopes.row(i) = mean.predicted.derivative.head(columns).matrix().transpose();
+    left.initial.row(i) = mean.predicted.derivative.tail(2).matrix().transpose() * unit.asDiagonal();
+    left.variance(i) = mean.variance;
   }
   return left;
 }

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "diagnose/motion/catalogue.hpp"
+#include "diagnose/motion/channel_look.hpp"
 
 namespace plumbline::motion {
 
@@ -25,6 +26,8 @@ struct Bench {
   Drive<double> nominal;            ///< the numbers that the model states; the others are zero
   std::vector<Term> unknown;        ///< stated as unknown: fitted beside every cause
   double sigma = 0;                 ///< standard deviation of a reading of position, rad
+  std::array<double, channel_count> sigma_beside{};  ///< the same of the channels, in their units
+  std::vector<ChannelLook> channels = {};            ///< those that are read beside position
   ModelFile model = {};
 };
 
@@ -40,13 +43,18 @@ struct Candidate {
 /// motion's own: neither is known beforehand.
 using Begin = Eigen::Vector2d;
 
+/// The number of a quantity that is read: position, then the channels.
+inline constexpr std::size_t quantity_count = 1 + channel_count;
+using Quantities = std::array<double, quantity_count>;
+
 /// The means of neighbouring readings of a segment, with their derivatives.
 struct SegmentMeans {
-  Eigen::VectorXd time;      ///< s
-  Eigen::VectorXd residual;  ///< measured - predicted from `begin`, rad
-  Eigen::MatrixXd slopes;    ///< of the prediction by the parameters
-  Eigen::MatrixXd initial;   ///< the same by the begin
-  Eigen::VectorXd variance;  ///< of the noise of readings, rad^2
+  std::vector<std::size_t> quantity;  ///< that each is of
+  Eigen::VectorXd time;               ///< s
+  Eigen::VectorXd residual;           ///< measured - predicted from `begin`, in the unit of its quantity
+  Eigen::MatrixXd slopes;             ///< of the prediction by the parameters
+  Eigen::MatrixXd initial;            ///< the same by the begin
+  Eigen::VectorXd variance;           ///< of the noise of readings
   Begin begin;
 };
 
@@ -61,6 +69,8 @@ class Study {
 
   [[nodiscard]] const Bench& bench() const { return bench_; }
   [[nodiscard]] const Sizes& sizes() const { return sizes_; }
+  /// Standard deviation of a reading, by quantity.
+  [[nodiscard]] Quantities sigmas() const;
   [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
   [[nodiscard]] const std::vector<Segment>& segments() const { return segments_; }
 

@@ -125,15 +125,41 @@ std::vector<Row> rows_of_load(const Sizes& sizes) {
   return rows;
 }
 
+/// Errors of readings: beside another channel alone a late position is no late command.
+std::vector<Row> rows_of_readings(const Sizes& sizes) {
+  const auto late = [](const ReadingError& error) {
+    return row(error.id, error.words, {{one_way("t_d", "s", 0.01, 0.2), {error.term}, 0.005}});
+  };
+  std::vector<Row> rows;
+  for (std::size_t c = 0; c < channel_count; ++c) {
+    const double size = sizes.beside[c];
+    if (size == 0) continue;
+    const ChannelKind& kind = channel_kinds[c];
+    rows.push_back(row(kind.scale.id, kind.scale.words,
+                       {{both_ways("e", "ratio", 0.1, -0.95, 10), {kind.scale.term}, 0}}));
+    rows.push_back(
+        row(kind.zero.id, kind.zero.words,
+            {{both_ways("zero", kind.unit, 0.1 * size, -10 * size, 10 * size), {kind.zero.term}, 0}}));
+    rows.push_back(late(kind.delay));
+  }
+  if (!rows.empty())
+    rows.push_back(late({"position_delay", "a late reading of position", Term::position_delay}));
+  return rows;
+}
+
 }  // namespace
 
 Sizes::Sizes(const std::vector<MotionLog>& logs) {
   double squares = 0, turns = 0, stamps = 0, volts = 0;
+  std::array<double, channel_count> read{};
   for (const MotionLog& log : logs) {
     const std::size_t last = log.time.size() - 1;
     angle = std::max(angle, deviation(log.position));
     inertia = std::max(inertia, log.inertia);
     torque = std::max(torque, log.gravity);
+    for (const ChannelReadings& one : log.beside)
+      for (const double x : one.value)
+        beside[static_cast<std::size_t>(one.channel)] += x * x, ++read[static_cast<std::size_t>(one.channel)];
     for (std::size_t k = 0; k <= last; ++k) {
       volts += log.supply[k], ++stamps;
       unpowered = unpowered || !log.powered[k];
@@ -146,6 +172,8 @@ Sizes::Sizes(const std::vector<MotionLog>& logs) {
       }
   }
   supply = volts / stamps;
+  for (std::size_t c = 0; c < channel_count; ++c)
+    if (read[c] > 0) beside[c] = std::sqrt(beside[c] / read[c]);
   speed = turns > 0 ? std::sqrt(squares / turns) : 0;
   if (torque == 0 && angle > 0) torque = inertia * speed * speed / angle;
 }
@@ -170,7 +198,8 @@ std::vector<Row> catalogue(const Sizes& sizes, const Drive<double>& nominal,
   for (const Stated& number : stated_numbers(sizes))
     if (std::find(unknown.begin(), unknown.end(), number.term) == unknown.end())
       rows.push_back(wrong(number, nominal[number.term]));
-  for (const std::vector<Row>& some : {rows_of_command(sizes), rows_of_friction(sizes), rows_of_load(sizes)})
+  for (const std::vector<Row>& some :
+       {rows_of_command(sizes), rows_of_friction(sizes), rows_of_load(sizes), rows_of_readings(sizes)})
     rows.insert(rows.end(), some.begin(), some.end());
   const bool has_rotor = nominal.has(Term::armature) ||
                          std::find(unknown.begin(), unknown.end(), Term::armature) != unknown.end();

@@ -14,13 +14,14 @@ namespace plumbline::motion {
 
 /// Typical sizes in some logs, from which typical sizes of effects follow.
 struct Sizes {
-  double torque = 0;       ///< N m: the largest moment of the load's weight, or what accelerates it
-  double inertia = 0;      ///< kg m^2: the largest of a load
-  double speed = 0;        ///< rad/s, root mean square of the motion
-  double angle = 0;        ///< rad, root mean square about the mean
-  double duty = 0;         ///< the largest that the servo asks for
-  double supply = 0;       ///< V, mean
-  bool unpowered = false;  ///< the drive is switched off somewhere
+  double torque = 0;   ///< N m: the largest moment of the load's weight, or what accelerates it
+  double inertia = 0;  ///< kg m^2: the largest of a load
+  double speed = 0;    ///< rad/s, root mean square of the motion
+  double angle = 0;    ///< rad, root mean square about the mean
+  double duty = 0;     ///< the largest that the servo asks for
+  double supply = 0;   ///< V, mean
+  std::array<double, channel_count> beside{};  ///< of the channels, root mean square; 0 where none is read
+  bool unpowered = false;                      ///< the drive is switched off somewhere
 
   explicit Sizes(const std::vector<MotionLog>& logs);
 };

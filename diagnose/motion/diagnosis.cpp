@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "diagnose/motion/judgement.hpp"
+#include "diagnose/motion/repeats.hpp"
 #include "diagnose/priors.hpp"
 
 namespace plumbline::motion {
@@ -67,6 +68,13 @@ std::string rest_of(const Diagnosis& d, const Hypothesis& named, double sigma) {
   return whole ? "" : "the rest is outside the catalogue";
 }
 
+std::optional<double> repeatability_of(const Bench& bench) {
+  std::vector<const MotionLog*> all;
+  for (const std::vector<MotionLog>* logs : {&bench.logs, &bench.held_out})
+    for (const MotionLog& log : *logs) all.push_back(&log);
+  return repeatability(all);
+}
+
 std::vector<LogError> errors_of(const Bench& bench, const Drive<double>& before, const Drive<double>& after) {
   std::vector<LogError> all;
   for (const bool held_out : {false, true})
@@ -125,6 +133,9 @@ Diagnosis diagnose_motion(const Study& study, const std::function<void(double)>&
   result.drive = study.drive(best.parameters, best.values);
   result.without = study.drive(findings.nominal.parameters, findings.nominal.values);
   result.errors = errors_of(study.bench(), result.without, result.drive);
+  result.phases = errors_by_phase(study.bench().logs, result.without, result.drive);
+  result.repeatability = repeatability_of(study.bench());
+  result.channels = study.bench().channels;
   if (!result.causes.empty()) result.rest = rest_of(result, best, study.bench().sigma);
   if (result.verdict == CauseVerdict::identified && !result.rest.empty())
     result.verdict = CauseVerdict::partial;

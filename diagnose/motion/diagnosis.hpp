@@ -9,6 +9,7 @@
 #include "diagnose/decision/verdict.hpp"
 #include "diagnose/motion/log_look.hpp"
 #include "diagnose/motion/next_motion.hpp"
+#include "diagnose/motion/phases.hpp"
 #include "diagnose/motion/search.hpp"
 
 namespace plumbline::motion {
@@ -43,18 +44,21 @@ struct Diagnosis {
   std::string name;
   LogsLook look;
   diagnose::CauseVerdict verdict;
-  double gap = 0;                   ///< probability that there is one
-  double seen_gap = 0;              ///< as diagnose::GapPosterior
-  double outside = 0;               ///< probability of a cause outside of the catalogue
-  bool or_outside = false;          ///< whether that is one of the alternatives
-  std::string rest;                 ///< why something is left beside what is named; empty where nothing is
-  std::vector<NamedCause> causes;   ///< those that are named, most probable first
-  std::vector<NamedCause> ranking;  ///< the most probable ones, named or not
-  std::vector<Estimate> before;     ///< the drive's unknown numbers without a cause
-  std::vector<Estimate> after;      ///< and beside the first that is named
-  double spread = 0;                ///< of what the first that is named leaves, standard deviation, rad
-  std::vector<LogError> errors;     ///< of every log; before and after are the same without a cause
-  Drive<double> without, drive;     ///< without a cause, and with the first that is named
+  double gap = 0;                     ///< probability that there is one
+  double seen_gap = 0;                ///< as diagnose::GapPosterior
+  double outside = 0;                 ///< probability of a cause outside of the catalogue
+  bool or_outside = false;            ///< whether that is one of the alternatives
+  std::string rest;                   ///< why something is left beside what is named; empty where nothing is
+  std::vector<NamedCause> causes;     ///< those that are named, most probable first
+  std::vector<NamedCause> ranking;    ///< the most probable ones, named or not
+  std::vector<Estimate> before;       ///< the drive's unknown numbers without a cause
+  std::vector<Estimate> after;        ///< and beside the first that is named
+  double spread = 0;                  ///< of what the first that is named leaves, standard deviation, rad
+  std::vector<LogError> errors;       ///< of every log; before and after are the same without a cause
+  Drive<double> without, drive;       ///< without a cause, and with the first that is named
+  std::vector<ChannelLook> channels;  ///< what is read beside position
+  std::vector<PhaseError> phases;     ///< over the logs that were fitted
+  std::optional<double> repeatability;  ///< of logs that were commanded alike, rad
 
   std::optional<NextMotion> next;  ///< in which the two most probable explanations differ most
 

@@ -39,6 +39,16 @@ enum class Term : std::size_t {
   play,              ///< angle by which the joint is free against the rotor, rad
   gear_compliance,   ///< of the gear between rotor and joint, rad/(N m)
   gear_damping,      ///< of the same, N m s/rad
+  position_delay,    ///< of the reading of position, s
+  velocity_scale,    ///< of the reading of velocity, less one
+  velocity_zero,     ///< of the same, rad/s
+  velocity_delay,    ///< of the same, s
+  duty_scale,        ///< of the reading of duty, less one
+  duty_zero,         ///< of the same
+  duty_delay,        ///< of the same, s
+  torque_scale,      ///< of the reading of torque, less one
+  torque_zero,       ///< of the same, N m
+  torque_delay,      ///< of the same, s
   count
 };
 

@@ -185,11 +185,15 @@ double forecast(const Study& study, const Likelihood& likelihood, const Candidat
          point.slope.gradient.dot(point.slope.information.ldlt().solve(point.slope.gradient)) / 2;
 }
 
-double size_of(const std::vector<SegmentMeans>& left) {
-  double sum = 0, count = 0;
+Quantities sizes_of(const std::vector<SegmentMeans>& left) {
+  Quantities size{}, count{};
   for (const SegmentMeans& one : left)
-    sum += one.residual.squaredNorm(), count += static_cast<double>(one.residual.size());
-  return std::sqrt(sum / count);
+    for (std::size_t i = 0; i < one.quantity.size(); ++i) {
+      size[one.quantity[i]] += std::pow(one.residual(static_cast<Index>(i)), 2);
+      ++count[one.quantity[i]];
+    }
+  for (std::size_t q = 0; q < quantity_count; ++q) size[q] = std::sqrt(size[q] / std::max(1.0, count[q]));
+  return size;
 }
 
 Hypothesis fitted(const Study& study, const Likelihood& likelihood, Candidate candidate, Start start) {

@@ -35,7 +35,7 @@ Hypothesis fitted(const Study& study, const Likelihood& likelihood, Candidate ca
 double forecast(const Study& study, const Likelihood& likelihood, const Candidate& candidate,
                 const Start& start, const Cell& cell);
 
-/// Root mean square of what a hypothesis leaves of the means, rad.
-double size_of(const std::vector<SegmentMeans>& left);
+/// Root mean square of what a hypothesis leaves of the means, by quantity; 0 where none is read.
+Quantities sizes_of(const std::vector<SegmentMeans>& left);
 
 }  // namespace plumbline::motion

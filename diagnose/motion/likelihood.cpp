@@ -18,20 +18,26 @@ constexpr double freedom = 40;
 /// is an offset of the segment, which belongs to the zero of the joint.
 constexpr std::array correlations{0.06, 0.17, 0.5};
 
-Eigen::MatrixXd covariance(const SegmentMeans& left, const Cell& cell) {
+}  // namespace
+
+Eigen::MatrixXd Likelihood::covariance(const SegmentMeans& left, const Cell& cell) const {
   const Eigen::Index n = left.time.size();
   Eigen::MatrixXd c = left.initial * left.initial.transpose();
   c.diagonal() += left.variance;
   if (cell.amplitude == 0) return c;
-  for (Eigen::Index i = 0; i < n; ++i)
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const std::size_t own = left.quantity[static_cast<std::size_t>(i)];
+    const double amplitude = cell.amplitude * units_[own] / unit();
     for (Eigen::Index j = 0; j < n; ++j)
-      c(i, j) += cell.amplitude * cell.amplitude *
-                 std::exp(-std::abs(left.time(i) - left.time(j)) / cell.correlation);
+      if (left.quantity[static_cast<std::size_t>(j)] == own)
+        c(i, j) +=
+            amplitude * amplitude * std::exp(-std::abs(left.time(i) - left.time(j)) / cell.correlation);
+  }
   return c;
 }
 
 /// Of one segment, whose columns are whitened.
-struct Whitened {
+struct Likelihood::Whitened {
   Eigen::VectorXd residual;
   Eigen::MatrixXd slopes, initial;  ///< where they are wanted
   double log_det;
@@ -44,7 +50,8 @@ struct Whitened {
   }
 };
 
-Whitened whitened(const SegmentMeans& left, const Cell& cell, bool with_slopes) {
+Likelihood::Whitened Likelihood::whitened(const SegmentMeans& left, const Cell& cell,
+                                          bool with_slopes) const {
   const Eigen::LLT<Eigen::MatrixXd> factor(covariance(left, cell));
   Whitened white{left.residual + left.initial * left.begin, {}, {}, 0};
   factor.matrixL().solveInPlace(white.residual);
@@ -54,8 +61,6 @@ Whitened whitened(const SegmentMeans& left, const Cell& cell, bool with_slopes) 
   white.initial = factor.matrixL().solve(left.initial);
   return white;
 }
-
-}  // namespace
 
 Slope Likelihood::slope(const std::vector<SegmentMeans>& left, const Cell& cell) const {
   const Eigen::Index parameters = left.front().slopes.cols();
@@ -78,7 +83,7 @@ Look Likelihood::look(const std::vector<SegmentMeans>& left) const {
   in_parallel(sizes, available_threads(), [&](std::size_t a) {
     for (std::size_t c = 0; c < correlations.size(); ++c) {
       by_cell[a][c] = 0;
-      const Cell cell{unit_ * priors_.amplitude[a], correlations[c]};
+      const Cell cell{unit() * priors_.amplitude[a], correlations[c]};
       for (const SegmentMeans& one : left) by_cell[a][c] += whitened(one, cell, false).log_density();
     }
   });
@@ -90,7 +95,7 @@ Look Likelihood::look(const std::vector<SegmentMeans>& left) const {
         std::log(static_cast<double>(correlations.size())));
     for (std::size_t c = 0; c < correlations.size(); ++c)
       if (const double here = by_cell[a][c] + priors_.log_amplitude[a]; here > best)
-        best = here, look.best = {unit_ * priors_.amplitude[a], correlations[c]};
+        best = here, look.best = {unit() * priors_.amplitude[a], correlations[c]};
   }
   look.log_likelihood = diagnose::log_sum(diagnose::sum(look.log_by_amplitude, priors_.log_amplitude));
   return look;

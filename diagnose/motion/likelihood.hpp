@@ -2,7 +2,7 @@
 /// \file
 /// The likelihood of what a model leaves of the segments.
 ///
-///   residual = initial state + delta + noise,  delta ~ N(0, A^2 exp(-|t - t'| / tau))
+///   residual = initial state + delta + noise,  delta ~ N(0, A^2 exp(-|t - t'| / tau)), one of each quantity
 ///
 /// The initial state and delta are summed out; the motion is linear in the initial state about the one that
 /// it was computed from, which fits move to the most probable one. Each segment has a scale of its own, which
@@ -36,19 +36,24 @@ struct Look {
 
 class Likelihood {
  public:
-  /// \param unit     of the sizes of the discrepancy: what the nominal model leaves, root mean square, rad
+  /// \param units    of the sizes of the discrepancy, by quantity: what the nominal model leaves, root mean
+  ///                 square; a discrepancy has the same share of them in every quantity
   /// \param outside  what a cause outside of the catalogue typically changes, rad
-  Likelihood(double unit, double outside) : unit_(unit), priors_(diagnose::full_model()) {
-    priors_.set_outside(outside / unit);
+  Likelihood(const Quantities& units, double outside) : units_(units), priors_(diagnose::full_model()) {
+    priors_.set_outside(outside / unit());
   }
 
   [[nodiscard]] const diagnose::Hyperpriors& priors() const { return priors_; }
-  [[nodiscard]] double unit() const { return unit_; }
+  [[nodiscard]] double unit() const { return units_[0]; }
   [[nodiscard]] Slope slope(const std::vector<SegmentMeans>& left, const Cell& cell) const;
   [[nodiscard]] Look look(const std::vector<SegmentMeans>& left) const;
 
  private:
-  double unit_;
+  [[nodiscard]] Eigen::MatrixXd covariance(const SegmentMeans& left, const Cell& cell) const;
+  struct Whitened;
+  [[nodiscard]] Whitened whitened(const SegmentMeans& left, const Cell& cell, bool with_slopes) const;
+
+  Quantities units_;
   diagnose::Hyperpriors priors_;
 };
 

@@ -5,9 +5,15 @@
 #include <string>
 #include <vector>
 
-#include "diagnose/motion/drive.hpp"
+#include "diagnose/motion/channel.hpp"
 
 namespace plumbline::motion {
+
+/// Readings beside position.
+struct ChannelReadings {
+  Channel channel;
+  std::vector<double> value;
+};
 
 /// One log. SI units, radians; all lists are as long as `time`.
 struct MotionLog {
@@ -17,6 +23,7 @@ struct MotionLog {
   std::vector<double> position;  ///< rad
   std::vector<double> supply;    ///< V; one where none is read
   std::vector<bool> powered;
+  std::vector<ChannelReadings> beside = {};
   std::size_t spikes = 0;  ///< isolated readings of position that were replaced
   EncoderSide encoder = EncoderSide::joint;
   double gain = 0;     ///< of the servo: duty per rad of error

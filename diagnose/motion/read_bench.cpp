@@ -74,21 +74,64 @@ void read_load(const Section& load, const IndexRow& row, MotionLog& log) {
 
 /// Columns of a log by what they hold.
 struct Columns {
-  std::string t, command, position, supply, powered;
+  std::string t, command, position, supply, powered, current;
+  std::array<std::string, channel_count> beside;
 
   explicit Columns(const Section& section) {
-    section.allow_only({"t", "command", "position", "supply", "powered"});
+    section.allow_only(
+        {"t", "command", "position", "supply", "powered", "velocity", "duty", "torque", "current"});
     const auto named = [&](const char* key) {
       return section.has(key) ? section.text(key, "the name of a column") : std::string(key);
     };
     t = named("t"), command = named("command"), position = named("position");
     if (section.has("supply")) supply = named("supply");
     if (section.has("powered")) powered = named("powered");
+    if (section.has("current")) current = named("current");
+    for (std::size_t c = 0; c < channel_count; ++c)
+      if (const std::string key(channel_kinds[c].name); section.has(key)) beside[c] = named(key.c_str());
+    if (!current.empty() && !beside[static_cast<std::size_t>(Channel::torque)].empty())
+      section.refuse("current", "either torque or current");
   }
 };
 
+/// What the log holds beside position. A current is a torque by the torque constant, N m/A.
+void read_channels(const LogTable& table, const Columns& columns, double torque_constant, MotionLog& log) {
+  for (std::size_t c = 0; c < channel_count; ++c)
+    if (!columns.beside[c].empty())
+      log.beside.push_back({static_cast<Channel>(c), table.numbers(columns.beside[c])});
+  if (columns.current.empty()) return;
+  log.beside.push_back({Channel::torque, table.numbers(columns.current)});
+  for (double& x : log.beside.back().value) x *= torque_constant;
+}
+
+/// Standard deviations of the channels that are read, in the units of the channels.
+std::array<double, channel_count> noise_beside(const Section& noise, const Columns& columns,
+                                               double torque_constant) {
+  std::array<double, channel_count> sigma{};
+  const auto read = [&](const std::string& key, double& to, double factor) {
+    to = factor * noise.number(key, "the standard deviation of a reading of " + key);
+    if (!(to > 0)) noise.refuse(key, "a positive number");
+  };
+  for (std::size_t c = 0; c < channel_count; ++c)
+    if (!columns.beside[c].empty()) read(std::string(channel_kinds[c].name), sigma[c], 1);
+  if (!columns.current.empty())
+    read("current", sigma[static_cast<std::size_t>(Channel::torque)], torque_constant);
+  return sigma;
+}
+
+/// Leaves out channels that are no readings.
+void look_beside(Bench& bench) {
+  bench.channels = look_beside(bench.logs);
+  for (const ChannelLook& look : bench.channels) {
+    if (look.left_out.empty()) continue;
+    for (std::vector<MotionLog>* logs : {&bench.logs, &bench.held_out})
+      for (MotionLog& log : *logs)
+        std::erase_if(log.beside, [&](const ChannelReadings& one) { return one.channel == look.channel; });
+  }
+}
+
 MotionLog read_log(const std::filesystem::path& folder, const IndexRow& row, const Columns& columns,
-                   double supply) {
+                   double supply, double torque_constant) {
   const std::filesystem::path file = folder / row.file;
   const LogTable table = row.bam ? row.bam->entries : LogTable(files::read_text(file), file.string());
   MotionLog log;
@@ -103,6 +146,7 @@ MotionLog read_log(const std::filesystem::path& folder, const IndexRow& row, con
     const std::vector<double> on = table.numbers(columns.powered);
     for (std::size_t k = 0; k < on.size(); ++k) log.powered[k] = on[k] != 0;
   }
+  read_channels(table, columns, torque_constant, log);
   return log;
 }
 
@@ -188,24 +232,29 @@ Bench read_bench(const std::filesystem::path& folder) {
   const Section logs = all.table("logs"), servo = all.table("servo"), load = all.table("load"),
                 noise = all.table("noise");
   logs.allow_only({"files", "index", "file", "fit", "held_out"});
-  servo.allow_only({"gain", "duty_per_error", "supply", "encoder"});
+  servo.allow_only({"gain", "duty_per_error", "supply", "encoder", "torque_constant"});
   const EncoderSide encoder = servo.has("encoder") && servo.one_of("encoder", {"joint", "motor"}) == "motor"
                                   ? EncoderSide::motor
                                   : EncoderSide::joint;
   load.allow_only({"mass", "length", "rod_mass", "inertia", "gravity_moment"});
-  noise.allow_only({"position"});
+  noise.allow_only({"position", "velocity", "duty", "torque", "current"});
   const Columns columns(all.table_or_empty("columns"));
 
   Bench bench;
   bench.name = all.name("name", "a name");
   bench.sigma = noise.number("position", "the standard deviation of a reading of position, rad");
   if (!(bench.sigma > 0)) noise.refuse("position", "a positive number, rad");
+  const double torque_constant =
+      columns.current.empty() ? 1
+                              : servo.number("torque_constant", "torque at the joint over current, N m/A");
+  if (!(torque_constant > 0)) servo.refuse("torque_constant", "a positive number, N m/A");
+  bench.sigma_beside = noise_beside(noise, columns, torque_constant);
   std::optional<LogTable> index;
   for (const IndexRow& row : rows_of(folder, logs, index)) {
     const bool held_out = logs.has("held_out") && is_chosen(logs, "held_out", row);
     if (!held_out && logs.has("fit") && !is_chosen(logs, "fit", row)) continue;
     require_inside(row.file, row.place);
-    MotionLog log = read_log(folder, row, columns, value_of(servo, "supply", row, 1));
+    MotionLog log = read_log(folder, row, columns, value_of(servo, "supply", row, 1), torque_constant);
     log.encoder = encoder;
     log.gain = value_of(servo, "gain", row, 1) * value_of(servo, "duty_per_error", row, 1);
     if (!(log.gain > 0))
@@ -216,6 +265,7 @@ Bench read_bench(const std::filesystem::path& folder) {
     (held_out ? bench.held_out : bench.logs).push_back(std::move(log));
   }
   if (bench.logs.empty()) throw Error(logs.where() + ": logs", "no log to fit to", "one at least");
+  look_beside(bench);
   read_drive(all.table("drive"), bench);
   bench.model = read_model(folder, all.table_or_empty("model"), servo);
   return bench;

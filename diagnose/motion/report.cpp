@@ -104,6 +104,23 @@ std::string look_text(const LogsLook& look) {
   return text;
 }
 
+std::string channel_text(const ChannelLook& look) {
+  const ChannelKind& kind = kind_of(look.channel);
+  if (!look.left_out.empty()) return fmt::format("  {} is left out: {}\n", kind.name, look.left_out);
+  return fmt::format("  {}: {:.3g} {} {:.0f} ms {} (R^2 {:.2f}); it changes every {:.2g} s\n", kind.name,
+                     look.ratio, kind.of, 1e3 * std::abs(look.late), look.late < 0 ? "after" : "before",
+                     look.explained, look.refresh);
+}
+
+std::string phase_text(const Diagnosis& d) {
+  std::string text;
+  for (const PhaseError& one : d.phases)
+    text += fmt::format("  {} ({:.0f} % of the readings): {:.4f} rad before, {:.4f} after\n",
+                        phase_words[static_cast<std::size_t>(one.phase)], 100 * one.readings, one.before,
+                        one.after);
+  return text;
+}
+
 std::string worst_logs(const Diagnosis& d) {
   std::vector<LogError> sorted = d.errors;
   std::stable_sort(sorted.begin(), sorted.end(),
@@ -132,6 +149,27 @@ nlohmann::ordered_json as_json(const NamedCause& cause) {
   return json;
 }
 
+nlohmann::ordered_json as_json(const LogError& one) {
+  return {{"log", one.log}, {"held_out", one.held_out}, {"before", one.before}, {"after", one.after}};
+}
+
+nlohmann::ordered_json as_json(const PhaseError& one) {
+  return {{"phase", phase_words[static_cast<std::size_t>(one.phase)]},
+          {"readings", one.readings},
+          {"before", one.before},
+          {"after", one.after}};
+}
+
+nlohmann::ordered_json as_json(const ChannelLook& one) {
+  nlohmann::ordered_json json{{"channel", kind_of(one.channel).name},
+                              {"refresh", one.refresh},
+                              {"ratio", one.ratio},
+                              {"late", one.late},
+                              {"explained", one.explained}};
+  if (!one.left_out.empty()) json["left_out"] = one.left_out;
+  return json;
+}
+
 template <class Entry>
 nlohmann::ordered_json list_of(const std::vector<Entry>& entries) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
@@ -153,6 +191,8 @@ std::string as_text(const Diagnosis& d) {
   if (!d.rest.empty()) text += fmt::format("  {}\n", d.rest);
   text += "  mean error of position, each log predicted whole from its first reading:\n";
   text += error_text(d, true) + error_text(d, false);
+  if (d.repeatability)
+    text += fmt::format("  logs that were commanded alike: {:.4f} rad apart\n", *d.repeatability);
   text +=
       fmt::format("\nIs there a gap?  {} (probability of a gap {}; of a cause outside the catalogue {})\n",
                   d.gap > 0.5 ? "Yes" : "No", diagnose::probability_in_words(d.gap),
@@ -160,12 +200,14 @@ std::string as_text(const Diagnosis& d) {
   text += "\nWhich explanations are probable?\n";
   for (const NamedCause& one : d.ranking)
     text += fmt::format("  {:>7}  {}\n", diagnose::probability_in_words(one.probability), words_of(one));
-  text += "\nWhere?  Logs with the largest errors\n" + worst_logs(d);
+  text += "\nWhere?  Logs with the largest errors, and phases of motion\n" + worst_logs(d) + phase_text(d);
   if (!d.after.empty()) {
     text += "\nThe drive's unknown numbers, beside the cause\n";
     for (const Estimate& one : d.after) text += fmt::format("  {}\n", with_unit(one));
   }
-  return text + "\n" + look_text(d.look);
+  text += "\n" + look_text(d.look);
+  for (const ChannelLook& one : d.channels) text += channel_text(one);
+  return text;
 }
 
 nlohmann::ordered_json as_json(const Diagnosis& d) {
@@ -174,11 +216,9 @@ nlohmann::ordered_json as_json(const Diagnosis& d) {
       {"verdict", verdict_word(d.verdict)}, {"probability_of_gap", d.gap},
       {"probability_outside", d.outside},   {"causes", list_of(d.causes)},
       {"ranking", list_of(d.ranking)},      {"drive_without_cause", list_of(d.before)},
-      {"drive", list_of(d.after)}};
-  json["errors"] = nlohmann::ordered_json::array();
-  for (const LogError& one : d.errors)
-    json["errors"].push_back(
-        {{"log", one.log}, {"held_out", one.held_out}, {"before", one.before}, {"after", one.after}});
+      {"drive", list_of(d.after)},          {"errors", list_of(d.errors)},
+      {"phases", list_of(d.phases)}};
+  if (d.repeatability) json["repeatability"] = *d.repeatability;
   if (d.next) json["next"] = {{"motion", d.next->words}, {"gain", d.next->gain}, {"apart", d.next->apart}};
   json["look"] = {{"logs", d.look.logs},
                   {"readings", d.look.readings},
@@ -186,7 +226,8 @@ nlohmann::ordered_json as_json(const Diagnosis& d) {
                   {"quantum", d.look.quantum},
                   {"saturated", d.look.saturated},
                   {"off", d.look.off},
-                  {"spikes", d.look.spikes}};
+                  {"spikes", d.look.spikes},
+                  {"channels", list_of(d.channels)}};
   return json;
 }
 

@@ -80,16 +80,52 @@ void roll_out(const Drive<Real>& true_drive, const MotionLog& log, const Segment
   }
 }
 
+/// A course of a segment that is read late: between its readings and before the first on straight lines.
+template <class Real>
+std::vector<Real> late(const std::vector<Real>& course, const MotionLog& log, const Segment& segment,
+                       const Real& delay) {
+  std::vector<Real> read;
+  std::size_t from = 0;
+  for (std::size_t k = 0; k < course.size(); ++k) {
+    const double* const time = &log.time[segment.first];
+    const double then = time[k] - value_of(delay);
+    while (from + 2 < course.size() && time[from + 1] <= then) ++from;
+    const Real share = (time[k] - delay - time[from]) / (time[from + 1] - time[from]);
+    read.push_back(course[from] + share * (course[from + 1] - course[from]));
+  }
+  return read;
+}
+
+/// What a segment reads: of position, then of each channel beside it.
+template <class Real>
+std::vector<std::vector<Real>> readings_of(const Drive<Real>& drive, const MotionLog& log,
+                                           const Segment& segment, const Real& reading, const Real& v) {
+  std::vector<std::vector<Real>> read(1 + log.beside.size());
+  roll_out(drive, log, segment, reading, v,
+           [&](std::size_t, const Motion<Real>& state, const Imposed<Real>& now) {
+             read[0].push_back(state.reading(now.encoder));
+             for (std::size_t i = 0; i < log.beside.size(); ++i) {
+               const Channel channel = log.beside[i].channel;
+               const ChannelKind& kind = kind_of(channel);
+               read[1 + i].push_back((1 + drive[kind.scale.term]) * quantity_of(channel, drive, state, now) +
+                                     drive[kind.zero.term]);
+             }
+           });
+  if (read[0].size() < 2) return read;
+  const auto delayed = [&](std::vector<Real>& course, Term term) {
+    if (drive.has(term)) course = late(course, log, segment, drive[term]);
+  };
+  delayed(read[0], Term::position_delay);
+  for (std::size_t i = 0; i < log.beside.size(); ++i)
+    delayed(read[1 + i], kind_of(log.beside[i].channel).delay.term);
+  return read;
+}
+
 /// The readings of position of a segment.
 template <class Real>
 std::vector<Real> angles_of(const Drive<Real>& drive, const MotionLog& log, const Segment& segment,
                             const Real& reading, const Real& v) {
-  std::vector<Real> angles;
-  roll_out(drive, log, segment, reading, v,
-           [&](std::size_t, const Motion<Real>& state, const Imposed<Real>& now) {
-             angles.push_back(state.reading(now.encoder));
-           });
-  return angles;
+  return readings_of(drive, log, segment, reading, v).front();
 }
 
 }  // namespace plumbline::motion

@@ -22,7 +22,9 @@ bool more_evidence(const Hypothesis& a, const Hypothesis& b) {
 
 /// A likelihood in whose sizes the whole motion is the unit: for fits from far away.
 Likelihood far_likelihood(const Study& study) {
-  return Likelihood(study.sizes().angle, study.sizes().angle);
+  Quantities units{study.sizes().angle};
+  std::copy(study.sizes().beside.begin(), study.sizes().beside.end(), units.begin() + 1);
+  return Likelihood(units, study.sizes().angle);
 }
 
 /// The nominal model from several sizes of its unknown numbers.
@@ -51,10 +53,11 @@ class Searcher {
     const Hypothesis rough =
         fitted(study, far_likelihood(study), {},
                {nominal_fit(short_study_, far_likelihood(study)).values, study.rough_begins()});
-    const double unit =
-        std::max(size_of(study.left(rough.parameters, rough.values, rough.begins)), study.bench().sigma);
+    Quantities units = sizes_of(study.left(rough.parameters, rough.values, rough.begins));
+    const Quantities least = study.sigmas();
+    for (std::size_t q = 0; q < quantity_count; ++q) units[q] = std::max(units[q], least[q]);
     found_.likelihood =
-        std::make_shared<Likelihood>(unit, diagnose::priors::typical_outside * study.sizes().angle);
+        std::make_shared<Likelihood>(units, diagnose::priors::typical_outside * study.sizes().angle);
     found_.nominal = fitted(study, *found_.likelihood, {}, {rough.values, rough.begins});
   }
 

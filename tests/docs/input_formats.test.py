@@ -7,6 +7,7 @@ is refused where it is required.
 """
 import json
 import re
+import shutil
 import tempfile
 import tomllib
 from pathlib import Path
@@ -143,13 +144,14 @@ def units(folder):
 
 
 def repository_experiments():
-    chains, arms = (Draft202012Validator(schema_of(name)) for name in ("experiment", "arm-experiment"))
+    chains, arms, motions = (Draft202012Validator(schema_of(name)) for name in ("experiment", "arm-experiment", "motion-experiment"))
     found = [path for path in ROOT.glob("**/experiment.toml") if not path.relative_to(ROOT).parts[0].startswith("build")]
     assert found
     labels = Draft202012Validator(schema_of("label"))
     for path in found:
         settings = tomllib.loads(path.read_text(encoding="utf-8"))
-        if settings["format"] == "motion/1":  # docs/motion.md states it, and test-motion reads it
+        if settings["format"] == "motion/1":
+            motions.validate(settings)
             continue
         (arms if "arm" in settings else chains).validate(settings)
         if (path.parent / "label.json").exists():
@@ -157,6 +159,21 @@ def repository_experiments():
     for block in blocks(EXPERIMENTS):
         if block.attributes.get("file", "").endswith("press/experiment.toml"):
             chains.validate(tomllib.loads(block.text))
+
+
+def motions(folder):
+    """Each table of a log of motion refuses a key of its own, and names those of the schema."""
+    schema = schema_of("motion-experiment")
+    settings = tomllib.loads((ROOT / "docs/examples/servo-log/experiment.toml").read_text(encoding="utf-8"))
+    shutil.copytree(ROOT / "docs/examples/servo-log", folder / "servo-log")
+    for table in (None, *(key for key, node in schema["properties"].items() if "properties" in node)):
+        copy = json.loads(json.dumps(settings))
+        (copy if table is None else copy.setdefault(table, {})).update(zz=1)
+        (folder / "servo-log" / "experiment.toml").write_text(toml_file(copy), encoding="utf-8")
+        node = schema if table is None else schema["properties"][table]
+        fault = complaint("diagnose", "servo-log", folder=folder)
+        known = re.search(r"an unknown key, expected one of (.*)", fault)
+        assert known and set(known[1].split()) == set(node["properties"]), f"{table}: {fault}"
 
 
 def chains(folder):
@@ -232,4 +249,5 @@ with tempfile.TemporaryDirectory() as place:
     user_effects(Path(place))
     chains(Path(place))
     tables_of_chains(Path(place))
+    motions(Path(place))
 repository_experiments()

@@ -23,6 +23,7 @@ RARE = {"gap-diagnosis": {"/calibration/left_of_unseen_poses/additionalPropertie
                           *(f"/gap/continued_runs/{key}" for key in ("run", "by")),
                           *(f"/gap/thinned/{key}" for key in ("run", "readings", "of")),
                           *(f"/gap/interpolated/{key}" for key in ("run", "covariate", "readings", "of"))},
+        "motion-report": {"/next", *(f"/next/{key}" for key in ("motion", "gain", "apart"))},  # the example of docs/motion.md shows it
         "path": {"/certificates/failure/load", "/certificates/failure/reason"}}
 
 
@@ -208,7 +209,45 @@ def plans(folder):
     hold("experiment-plan", [written("diagnose", "planned", "--plan", folder=folder)])
 
 
+def motions(folder):
+    """Of one log that was run twice, beside whose positions a duty without sign was read; and of a pendulum's torques."""
+    place = shutil.copytree(ROOT / "docs/examples/servo-log", folder / "servo-log")
+    header, *rows = (place / "chirp-16.csv").read_text(encoding="utf-8").split()
+    for again in (1, 2):
+        lines = [f"{header},duty", *(f"{row},{abs(float(row.split(',')[1])) / 5}" for row in rows)]
+        (place / f"run-{again}.csv").write_text("\n".join(lines) + "\n", encoding="utf-8")
+    settings = (place / "experiment.toml").read_text(encoding="utf-8")
+    logs = settings[settings.index("[logs]"):settings.index("[servo]")]
+    settings = settings.replace(logs, '[logs]\nfiles = ["run-1.csv", "run-2.csv"]\n\n[columns]\nduty = "duty"\n\n')
+    settings = settings.replace('gain = "gain"', "gain = 16").replace("[noise]\n", "[noise]\nduty = 0.01\n")
+    (place / "experiment.toml").write_text(settings, encoding="utf-8")
+    hold("motion-report", [written("diagnose", "servo-log", folder=folder)])
+    hold("torque-report", [written("diagnose", str(pendulum(folder)), folder=folder)])
+
+
+def pendulum(folder):
+    """Readings of the torque that swings a point mass on a massless link."""
+    place = folder / "pendulum"
+    place.mkdir()
+    inertial = '<inertial pos="0 0 -0.3" mass="0.5" diaginertia="1e-6 1e-6 1e-6"/>'
+    (place / "arm.xml").write_text(f'<mujoco><worldbody><body name="link"><joint name="hinge" axis="0 1 0"/>{inertial}</body></worldbody></mujoco>',
+                                   encoding="utf-8")
+    rows = ["t,q,tau"]
+    for k in range(1000):
+        t = 0.01 * k
+        q = 0.8 * math.sin(2 * t) + 0.4 * math.sin(5.1 * t)
+        a = -0.8 * 4 * math.sin(2 * t) - 0.4 * 5.1**2 * math.sin(5.1 * t)
+        v = 1.6 * math.cos(2 * t) + 0.4 * 5.1 * math.cos(5.1 * t)
+        torque = 0.5 * 0.09 * a + 0.5 * 9.81 * 0.3 * math.sin(q) + 0.05 * math.copysign(1, v) + 0.002 * math.sin(1e4 * t)
+        rows.append(f"{t:.3f},{q:.6f},{torque:.6f}")
+    (place / "a.csv").write_text("\n".join(rows) + "\n", encoding="utf-8")
+    (place / "experiment.toml").write_text(
+        'format = "torque/1"\nname = "pendulum"\n[model]\nfile = "arm.xml"\n[logs]\nfiles = ["a.csv"]\n[columns]\nposition = ["q"]\n'
+        'torque = ["tau"]\n', encoding="utf-8")
+    return place
+
+
 with tempfile.TemporaryDirectory() as place:
-    for step in (straight_chains, claims, loaded_chains, reports, plans, trial, many):
+    for step in (straight_chains, claims, loaded_chains, reports, plans, trial, many, motions):
         (Path(place) / step.__name__).mkdir()
         step(Path(place) / step.__name__)

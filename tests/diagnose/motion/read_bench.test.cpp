@@ -126,6 +126,31 @@ TEST_CASE("a log of BAM tells its rig itself") {
   CHECK(!log.powered.back());
 }
 
+TEST_CASE("a current is a torque by the torque constant, and so is its noise") {
+  Folder one;
+  one.header = "t,command,position,speed,amps\n";
+  one.rows.clear();
+  for (int k = 0; k < 50; ++k)
+    one.rows += std::to_string(0.01 * k) + ",0.1," + std::to_string(0.1 * std::sin(0.1 * k)) + "," +
+                std::to_string(std::cos(0.1 * k)) + "," + std::to_string(0.01 * (k - 20)) + "\n";
+  one.replace("gain = 2", "gain = 2\ntorque_constant = 0.5");
+  one.settings += "velocity = 0.02\ncurrent = 0.004\n[columns]\nvelocity = \"speed\"\ncurrent = \"amps\"\n";
+  const Bench bench = one.read();
+  const MotionLog& log = bench.logs.front();
+  REQUIRE(log.beside.size() == 2);
+  CHECK(log.beside[0].channel == Channel::velocity);
+  CHECK(log.beside[1].channel == Channel::torque);
+  CHECK(log.beside[1].value[22] == close_to(0.01));
+  CHECK(bench.sigma_beside[0] == close_to(0.02));
+  CHECK(bench.sigma_beside[2] == close_to(0.002));
+  CHECK(bench.channels.size() == 2);
+
+  one.replace("torque_constant = 0.5", "");
+  CHECK(one.refused().find("servo.torque_constant") != std::string::npos);
+  one.replace("current = \"amps\"", "torque = \"amps\"");
+  CHECK(one.refused().find("noise.torque") != std::string::npos);
+}
+
 TEST_CASE("an isolated reading far from its neighbours is replaced, and counted") {
   Folder spiked;
   spiked.rows += "0.50,0.1,0.05\n0.51,0.1,0.90\n0.52,0.1,0.05\n";
