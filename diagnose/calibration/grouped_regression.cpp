@@ -110,9 +110,19 @@ std::vector<std::size_t> GroupedRegression::promising(const GroupedFit& beside,
   const double variance = beside.noise * beside.noise;
   const Eigen::VectorXd mean = beside.mean(beside.columns);
   std::vector<std::pair<double, std::size_t>> gains;
+  // What a group explains already has no score left: of each its farthest member is tried.
+  std::map<std::size_t, std::pair<double, std::size_t>> farthest;
   for (const std::size_t one : offered) {
     if (std::find(beside.groups.begin(), beside.groups.end(), one) != beside.groups.end()) continue;
     const auto own = Eigen::seqN(groups_[one].first, groups_[one].count);
+    const auto member = std::find(beside.columns.begin(), beside.columns.end(), groups_[one].first);
+    if (member != beside.columns.end()) {
+      const std::size_t group = beside.owner[static_cast<std::size_t>(member - beside.columns.begin())];
+      const std::pair far(beside.mean(own).norm(), one);
+      if (const auto [known, first] = farthest.emplace(group, far); !first)
+        known->second = std::max(known->second, far);
+      continue;
+    }
     const Eigen::MatrixXd across = gram_(own, beside.columns);
     const Eigen::VectorXd score = (product_(own) - across * mean) / variance;
     Eigen::MatrixXd information =
@@ -124,6 +134,7 @@ std::vector<std::size_t> GroupedRegression::promising(const GroupedFit& beside,
   if (gains.size() > few) gains.resize(few);
   std::vector<std::size_t> best;
   for (const auto& [gain, one] : gains) best.push_back(one);
+  for (const auto& [group, member] : farthest) best.push_back(member.second);
   return best;
 }
 

@@ -48,7 +48,8 @@ class GroupedRegression {
   void take_columns(GroupedFit& fit) const;
   /// Mackay's iterations from the sizes and the noise of a fit.
   [[nodiscard]] GroupedFit iterated(GroupedFit fit, int iterations) const;
-  /// Of those offered, the few beside a fit that promise most by a score test.
+  /// Of those offered, the few beside a fit that promise most by a score test, and of each group the
+  /// farthest.
   [[nodiscard]] std::vector<std::size_t> promising(const GroupedFit& beside,
                                                    const std::vector<std::size_t>& offered) const;
 

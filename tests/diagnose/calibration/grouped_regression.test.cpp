@@ -54,6 +54,20 @@ TEST_CASE("a column that sticks out of the groups is found, and one of nothing i
   CHECK(groups(without) == std::vector<std::size_t>{0, 1});
 }
 
+TEST_CASE("a member that its group cannot be as large as is found, and leaves the group to the others") {
+  Made all = made(0.05, 1, 0);
+  all.groups.push_back({5, 1});
+  const auto fit = [&] {
+    return GroupedRegression(all.unknown, all.columns, all.groups, all.values).extended({0, 1}, {2, 3, 4});
+  };
+  CHECK(fit().groups == std::vector<std::size_t>{0, 1});
+  all.values += 3 * all.columns.col(5);
+  const GroupedFit out = fit();
+  REQUIRE(out.groups == std::vector<std::size_t>{0, 1, 4});
+  // Of its neighbours' 0.05, known to 1 / sqrt(40) and by a noise of 0.025 each; four of these.
+  CHECK(std::abs(std::log(out.size[0] / 0.05)) < 4 / std::sqrt(40.0) * std::hypot(1.0, 0.5));
+}
+
 TEST_CASE("an unknown of any size changes no coefficient") {
   Made all = made(1, 1, 0);
   const GroupedFit before = GroupedRegression(all.unknown, all.columns, all.groups, all.values).fit({0, 1});
