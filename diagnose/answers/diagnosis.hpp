@@ -35,9 +35,7 @@ struct Diagnosis {
   std::shared_ptr<const Calibration> calibration = nullptr;  ///< beside which the causes stand, or none
 
   /// Whether the law stands in for a cause, or for what a part of it leaves: `shrink` is then the law's.
-  [[nodiscard]] bool offers_law() const {
-    return cause.leaves_a_rest() && law && law->shrink;
-  }
+  [[nodiscard]] bool offers_law() const { return cause.leaves_a_rest() && law && law->shrink; }
 };
 
 /// \param progress  called now and then with the share of the work that is done

@@ -18,8 +18,8 @@ struct InPart {
 };
 
 /// Where the cause is unknown: the effects of which one is surely part of it, whichever else acts
-/// (Posterior::surely_part). Beside a smooth function of the command one of them, which is named first, has to
-/// predict surely more of readings that its fit has not seen than that function alone.
+/// (Posterior::surely_part). Beside a smooth function of the command one of them, which is named first, has
+/// to predict surely more of readings that its fit has not seen than that function alone.
 std::optional<InPart> in_part(const Study& study, const Findings& findings, const Posterior& posterior,
                               const NoiseEstimate& noise);
 
