@@ -203,7 +203,8 @@ class Detection(unittest.TestCase):
         size = np.repeat(np.exp(np.linspace(np.log(1), np.log(25), 21)), 100)
         chance = 1 / (1 + (5 / size) ** 2)
         seen = np.tile(np.arange(100), 21) < np.round(100 * chance)
-        self.assertAlmostEqual(even_chance(size, seen), 5, delta=0.05)  # rounding moves a chance by 0.005, its logarithm of the size by 0.01
+        # Rounding moves a chance by 0.005 at most, and the logarithm of the size at the middle by 0.01.
+        self.assertAlmostEqual(even_chance(size, seen), 5, delta=0.05)
 
 
 if __name__ == "__main__":
