@@ -5,6 +5,7 @@
 #include <iterator>
 #include <limits>
 #include <mutex>
+#include <optional>
 #include <plumbline/base/parallel.hpp>
 #include <set>
 
@@ -12,9 +13,9 @@
 #include "diagnose/inference/elements.hpp"
 #include "diagnose/inference/forecast.hpp"
 #include "diagnose/inference/idle.hpp"
+#include "diagnose/inference/likelihoods.hpp"
 #include "diagnose/inference/prior.hpp"
 #include "diagnose/inference/start.hpp"
-#include "diagnose/noise/estimate_noise.hpp"
 
 namespace plumbline::diagnose {
 namespace {
@@ -58,8 +59,7 @@ class Searcher {
     found_.outside = unknown_torques(study);
     found_.untimed = untimed_effects(study);
     listed_.insert(listed_.end(), found_.untimed.begin(), found_.untimed.end());
-    set_likelihoods(nominal_residual_,
-                    noise_of(nominal_residual_, NoiseShape(study.measurements()), Departures::ignored));
+    set(likelihoods(nominal_residual_, NoiseShape(study.measurements()), Departures::ignored));
   }
 
   Findings run(const std::function<void(double)>& report) {
@@ -83,38 +83,17 @@ class Searcher {
   }
 
  private:
-  /// The noise that a residual shows.
-  [[nodiscard]] NoiseShape noise_of(const VectorXd& residual, NoiseShape start, Departures departures) const {
-    return estimate_noise(study_.experiment(), study_.measurements(), *found_.states, nominal_residual_,
-                          residual, std::move(start), departures);
+  [[nodiscard]] Likelihoods likelihoods(const VectorXd& residual, NoiseShape start, Departures sought) const {
+    return {study_, *found_.states, residual, std::move(start), sought};
   }
 
-  [[nodiscard]] std::shared_ptr<Likelihood> likelihood_of(const Hyperpriors& priors,
-                                                          const NoiseShape& in) const {
-    return std::make_shared<Likelihood>(study_.measurements(), *found_.states, priors, in, nominal_residual_);
+  void set(Likelihoods likelihoods) {
+    in_noise_ = std::move(likelihoods);
+    found_.likelihood = in_noise_->full;
+    found_.nominal = found_.likelihood->look(nominal_residual_);
   }
 
-  /// The likelihoods for this noise of a residual.
-  void set_likelihoods(const VectorXd& residual, const NoiseShape& shape) {
-    const Measurements& measurements = study_.measurements();
-    const auto full = likelihood_of(full_model(), shape);
-    full->prune(residual);
-    found_.likelihood = full;
-    rough_likelihood_ = likelihood_of(white_noise_alone(), shape);
-    all_readings_ =
-        shape.has_outliers() ? likelihood_of(white_noise_alone(), NoiseShape(measurements)) : nullptr;
-    found_.nominal = full->look(nominal_residual_);
-    const Decomposition parts = full->decompose(residual);
-    weight_ = shape.relative.cwiseInverse();
-    for (std::size_t b = 0; b < parts.noise.channels.size(); ++b) {
-      const Block& block = measurements.blocks()[b];
-      weight_.segment(block.first, block.count) /= parts.noise.channels[b].scale;
-    }
-    for (std::size_t i = 0; i < shape.outlier.size(); ++i)
-      if (shape.outlier[i]) weight_(static_cast<Eigen::Index>(i)) = 0;
-  }
-
-  [[nodiscard]] const Hypothesis* find(const Candidate& candidate) const {
+  Hypothesis* find(const Candidate& candidate) {
     const auto place = std::find_if(found_.hypotheses.begin(), found_.hypotheses.end(),
                                     [&](const Hypothesis& h) { return same(h.candidate, candidate); });
     return place == found_.hypotheses.end() ? nullptr : &*place;
@@ -144,10 +123,10 @@ class Searcher {
     std::mutex one_at_a_time;
     in_parallel(tasks.size(), study_.threads(), [&](std::size_t t) {
       if (affordable(study_, tasks[t].candidate)) {
-        fitted[t] = fitted_roughly(tasks[t], *rough_likelihood_);
+        fitted[t] = fitted_roughly(tasks[t], *in_noise_->rough);
         // An outlier may be what an effect does, which a fit without it does not see.
-        if (all_readings_ && tasks[t].candidate.effects.size() == 1)
-          if (Hypothesis other = fitted_roughly(tasks[t], *all_readings_);
+        if (in_noise_->all_readings && tasks[t].candidate.effects.size() == 1)
+          if (Hypothesis other = fitted_roughly(tasks[t], *in_noise_->all_readings);
               other.converged && !(other.log_evidence < fitted[t].log_evidence && fitted[t].converged))
             fitted[t] = std::move(other);
       }
@@ -170,13 +149,10 @@ class Searcher {
   /// Keeps the better of two fits of one candidate.
   void add(Hypothesis one) {
     if (!one.converged) return;
-    const auto place = std::find_if(found_.hypotheses.begin(), found_.hypotheses.end(),
-                                    [&](const Hypothesis& h) { return same(h.candidate, one.candidate); });
-    if (place == found_.hypotheses.end()) {
+    if (Hypothesis* const known = find(one.candidate); known == nullptr)
       found_.hypotheses.push_back(std::move(one));
-    } else if (one.log_evidence > place->log_evidence) {
-      *place = std::move(one);
-    }
+    else if (one.log_evidence > known->log_evidence)
+      *known = std::move(one);
   }
 
   void sort() {
@@ -216,7 +192,7 @@ class Searcher {
   }
 
   [[nodiscard]] double squares(const Hypothesis& h) const {
-    return weight_.cwiseProduct(h.residual).squaredNorm();
+    return in_noise_->weight.cwiseProduct(h.residual).squaredNorm();
   }
 
   /// The single effects that explain most, those by evidence and those by least squares.
@@ -246,7 +222,7 @@ class Searcher {
   void extend(const std::vector<Hypothesis>& from, std::size_t most) {
     std::vector<std::vector<Prospect>> prospects(from.size());
     in_parallel(from.size(), study_.threads(),
-                [&](std::size_t s) { prospects[s] = forecast(study_, weight_, listed_, from[s]); });
+                [&](std::size_t s) { prospects[s] = forecast(study_, in_noise_->weight, listed_, from[s]); });
     std::vector<Task> tasks;
     for (std::size_t s = 0; s < from.size(); ++s)
       for (const Prospect& one : prospects[s]) {
@@ -378,17 +354,16 @@ class Searcher {
     const Hypothesis& closest =
         *std::min_element(found_.hypotheses.begin(), found_.hypotheses.end(),
                           [&](const Hypothesis& a, const Hypothesis& b) { return squares(a) < squares(b); });
-    const NoiseShape of_lead = noise_of(lead.residual, start, Departures::sought);
-    if (&closest == &lead) return set_likelihoods(lead.residual, of_lead);
-    const NoiseShape of_closest = noise_of(closest.residual, start, Departures::sought);
-    const auto evidence = [&](Hypothesis h, const NoiseShape& shape) {
-      look_again(study_, *likelihood_of(full_model(), shape), h);
-      return h.log_evidence;
-    };
-    if (evidence(closest, of_closest) > evidence(lead, of_lead))
-      set_likelihoods(closest.residual, of_closest);
-    else
-      set_likelihoods(lead.residual, of_lead);
+    Likelihoods noise = likelihoods(lead.residual, start, Departures::sought);
+    if (&closest != &lead) {
+      const auto evidence = [&](Hypothesis h, const Likelihoods& in) {
+        look_again(study_, *in.full, h);
+        return h.log_evidence;
+      };
+      Likelihoods other = likelihoods(closest.residual, start, Departures::sought);
+      if (evidence(closest, other) > evidence(lead, noise)) noise = std::move(other);
+    }
+    set(std::move(noise));
   }
 
   /// Estimates the noise again where the best hypothesis is taken away, and weighs all by it.
@@ -444,10 +419,8 @@ class Searcher {
   VectorXd nominal_residual_;
   std::vector<EffectAt> listed_;  ///< of the catalogue and the user's
   Findings found_;
-  std::shared_ptr<const Likelihood> rough_likelihood_;  ///< in white noise
-  std::shared_ptr<const Likelihood> all_readings_;      ///< the same, no reading an outlier; or none
-  VectorXd weight_;                                     ///< by value: one over its noise, in declared sigmas
-  std::set<std::string> from_whole_, replaced_;         ///< labels: fitted from a larger one; extended by all
+  std::optional<Likelihoods> in_noise_;
+  std::set<std::string> from_whole_, replaced_;  ///< labels: fitted from a larger one; extended by all
 };
 
 }  // namespace

@@ -9,6 +9,7 @@ import sys
 
 import numpy as np
 
+from naming import LARGEST, WRONG, names, shares_left
 from volume import labels_of, log_half_cauchy, log_normalised, log_size, log_smaller, log_sum, seen_causes, volume_by_seen
 
 AMPLITUDE = np.array([0, 0.01, 0.02, 0.04, 0.08, 0.16, 0.32, 0.64, 1.28])
@@ -18,7 +19,7 @@ NO_GAP, OUTSIDE, TYPICAL = 0.3, 0.1, 0.1
 SHARES = {"smooth": 0.3, "local": 0.2, "ends": 0.1, "step": 0.1, "one channel": 0.1, "scatter": 0.1, "part": 0.1}
 SCATTER_BESIDE, SCATTER = 0.1, 4
 AT_REST = 0.2  # of the variance of the discrepancy
-TEMPER, WRONG, LARGEST = 0.25, 20, 8
+TEMPER = 0.25
 SHARE, WIDTH, EVIDENCE = 0.02, 10, 50  # of outliers
 
 
@@ -346,21 +347,6 @@ def ways(data, likelihood):
     return result
 
 
-def shares_left(data, likelihood):
-    """The share of what a cause changes that another leaves, where that is a part of it; one where it is none."""
-    change, fits = np.array(data["nominal"]), {}
-    for one in data["hypotheses"]:
-        fits.setdefault(one["own"], np.array(one["residual"]))
-
-    def left(cause, taken):
-        if not set(taken) <= set(cause):
-            return 1
-        squares = [np.sum((other - fits[cause])[~likelihood.outlier] ** 2) for other in (fits[taken], change)]
-        return min(1, np.sqrt(squares[0] / squares[1]))
-
-    return left
-
-
 def decide(data):
     likelihood = Likelihood(data)
     all_ways = ways(data, likelihood)
@@ -384,22 +370,7 @@ def decide(data):
     nothing_left = causes and next(h["leaves_nothing"] for h in data["hypotheses"] if h["own"] == causes[0][0])
     if not causes or (leads and (listed < 1 / WRONG or not nothing_left)):
         return "unknown", set(), no_gap, outside
-    share, others, count = shares_left(data, likelihood), 1 if outside >= 1 / WRONG else 0, 1
-
-    def left(i, named):
-        return causes[i][1] * min(share(causes[i][0], taken) for taken, _ in causes[:named])
-
-    for i in range(1, min(LARGEST - others, len(causes))):
-        if left(i, count) >= (listed if leads else 1) / WRONG:
-            count = i + 1
-    if count + others == 1:  # the only name costs more where it is wrong
-        alone, with_next = (sum(left(i, n) for i in range(n, len(causes))) for n in (1, 2))
-        if 1.5 * WRONG * (alone + outside) > 1 + WRONG * min(alone, with_next + outside):
-            count, others = (2, 0) if with_next + outside < alone else (1, 1)
-    if count + others == 1:  # is a further effect more probable than none?
-        whole = [i for i in range(1, len(causes)) if left(i, 1) < causes[i][1]]
-        if sum(causes[i][1] for i in whole) > causes[0][1]:
-            count = whole[0] + 1
+    count, others = names(causes, outside, listed if leads else 1, shares_left(data, likelihood.outlier))
     named = [cause for cause, _ in causes[:count]]
     return ("identified" if count + others == 1 else "ambiguous"), set(named), no_gap, outside
 

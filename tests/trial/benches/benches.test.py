@@ -13,6 +13,7 @@ import numpy as np
 from aliases import Readings, aliases, is_imitated
 from bench import GRAVITY, Bench, Run
 from catalogue import ROWS
+from detection import even_chance
 from draw import draw
 from generate import make
 from sealing import sha256
@@ -194,6 +195,16 @@ class Drawing(unittest.TestCase):
     def test_an_experiment_has_the_declared_strength(self):
         drawn = draw(3, 11)
         self.assertTrue(drawn.strength == 0 or drawn.strength > 2)
+
+
+class Detection(unittest.TestCase):
+    def test_an_even_chance_is_where_as_many_gaps_are_found_as_missed(self):
+        # Of 100 benches at each size so many are found as a logistic law in the logarithm has, to a whole one; half of them at 5.
+        size = np.repeat(np.exp(np.linspace(np.log(1), np.log(25), 21)), 100)
+        chance = 1 / (1 + (5 / size) ** 2)
+        seen = np.tile(np.arange(100), 21) < np.round(100 * chance)
+        # Rounding moves a chance by 0.005 at most, and the logarithm of the size at the middle by 0.01.
+        self.assertAlmostEqual(even_chance(size, seen), 5, delta=0.05)
 
 
 if __name__ == "__main__":
