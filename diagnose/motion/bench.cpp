@@ -38,7 +38,7 @@ bool Candidate::has(const Row& row) const {
 
 Study::Study(Bench bench, double duration)
     : bench_(std::move(bench)),
-      sizes_(bench_.logs),
+      sizes_(bench_.logs, bench_.nominal),
       unknown_(unknown_parameters(sizes_, bench_.unknown)),
       rows_(catalogue(sizes_, bench_.nominal, bench_.unknown)),
       segments_(segments_of(bench_.logs, duration)) {

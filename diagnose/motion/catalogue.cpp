@@ -149,7 +149,8 @@ std::vector<Row> rows_of_readings(const Sizes& sizes) {
 
 }  // namespace
 
-Sizes::Sizes(const std::vector<MotionLog>& logs) {
+Sizes::Sizes(const std::vector<MotionLog>& logs, const Drive<double>& nominal) {
+  double asked = 0;  // duties, squared
   double squares = 0, turns = 0, stamps = 0, volts = 0;
   std::array<double, channel_count> read{};
   for (const MotionLog& log : logs) {
@@ -163,7 +164,10 @@ Sizes::Sizes(const std::vector<MotionLog>& logs) {
     for (std::size_t k = 0; k <= last; ++k) {
       volts += log.supply[k], ++stamps;
       unpowered = unpowered || !log.powered[k];
-      if (log.powered[k]) duty = std::max(duty, log.gain * std::abs(log.command[k] - log.position[k]));
+      if (!log.powered[k]) continue;
+      const double own = log.gain * std::abs(log.command[k] - log.position[k]);
+      duty = std::max(duty, own);
+      asked += std::pow(std::min(1.0, own), 2);
     }
     // Over tenths of a second, so that the quantum of the encoder is no speed.
     for (std::size_t k = 0, from = 0; k <= last; ++k)
@@ -175,7 +179,9 @@ Sizes::Sizes(const std::vector<MotionLog>& logs) {
   for (std::size_t c = 0; c < channel_count; ++c)
     if (read[c] > 0) beside[c] = std::sqrt(beside[c] / read[c]);
   speed = turns > 0 ? std::sqrt(squares / turns) : 0;
-  if (torque == 0 && angle > 0) torque = inertia * speed * speed / angle;
+  if (torque == 0 && angle > 0)
+    torque = std::max(inertia * speed * speed / angle,
+                      nominal[Term::stall_torque] * supply * std::sqrt(asked / stamps));
 }
 
 std::vector<Stated> stated_numbers(const Sizes& sizes) {

@@ -14,7 +14,7 @@ namespace plumbline::motion {
 
 /// Typical sizes in some logs, from which typical sizes of effects follow.
 struct Sizes {
-  double torque = 0;   ///< N m: the largest moment of the load's weight, or what accelerates it
+  double torque = 0;   ///< N m: the largest moment of the load's weight, or else what moves it
   double inertia = 0;  ///< kg m^2: the largest of a load
   double speed = 0;    ///< rad/s, root mean square of the motion
   double angle = 0;    ///< rad, root mean square about the mean
@@ -23,7 +23,8 @@ struct Sizes {
   std::array<double, channel_count> beside{};  ///< of the channels, root mean square; 0 where none is read
   bool unpowered = false;                      ///< the drive is switched off somewhere
 
-  explicit Sizes(const std::vector<MotionLog>& logs);
+  /// \param nominal  the stated numbers of the drive, or none
+  explicit Sizes(const std::vector<MotionLog>& logs, const Drive<double>& nominal = {});
 };
 
 /// A parameter of a row. Its value is added to every one of the terms.

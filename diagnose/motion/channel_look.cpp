@@ -11,11 +11,6 @@ namespace {
 /// A channel that is refreshed more slowly shows no motion, s.
 constexpr double slowest_refresh = 0.25;
 
-double held_at(const MotionLog& log, const std::vector<double>& signal, double t) {
-  const auto next = std::upper_bound(log.time.begin() + 1, log.time.end(), t);
-  return signal[static_cast<std::size_t>(next - log.time.begin()) - 1];
-}
-
 double between(const MotionLog& log, const std::vector<double>& signal, double t) {
   const auto next = std::upper_bound(log.time.begin() + 1, log.time.end() - 1, t);
   const auto k = static_cast<std::size_t>(next - log.time.begin());
@@ -31,7 +26,9 @@ double shown(Channel channel, const MotionLog& log, std::size_t k, double late) 
     const double t = log.time[k] - late;
     return (between(log, log.position, t + beside) - between(log, log.position, t - beside)) / (2 * beside);
   }
-  const double command = held_at(log, log.command, log.time[k] - late);
+  // A held command is half a step older than one between its readings.
+  const double half_step = k == 0 ? 0 : (log.time[k] - log.time[k - 1]) / 2;
+  const double command = between(log, log.command, log.time[k] - late - half_step);
   const double duty = std::clamp(log.gain * (command - log.position[k]), -1.0, 1.0);
   return (log.powered[k] ? duty : 0) * (channel == Channel::torque ? log.supply[k] : 1);
 }

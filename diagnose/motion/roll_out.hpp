@@ -54,11 +54,19 @@ Drive<Real> by_stamps(const Drive<Real>& drive) {
   return own;
 }
 
+/// What is done at the steps of a roll-out, where nothing is.
+struct Nothing {
+  template <class... Arguments>
+  void operator()(const Arguments&...) const {}
+};
+
 /// Follows a segment from the angle that its encoder reads at the begin, and a speed.
 /// \param visit  called with the number of each reading in the segment, the state, and what is imposed
-template <class Real, class Visit>
+/// \param pass   called with the length of each step, its share of the time to the next reading, the state at
+///               its end, and what is imposed
+template <class Real, class Visit, class Pass = Nothing>
 void roll_out(const Drive<Real>& true_drive, const MotionLog& log, const Segment& segment,
-              const Real& reading, const Real& v, const Visit& visit) {
+              const Real& reading, const Real& v, const Visit& visit, const Pass& pass = {}) {
   const Drive<Real> drive = by_stamps(true_drive);
   const Real rate = 1 + drive[Term::clock_rate];
   HeldSignal command(log.time, log.command);
@@ -72,10 +80,10 @@ void roll_out(const Drive<Real>& true_drive, const MotionLog& log, const Segment
     if (k == segment.first) state = begun(drive, now, reading, v, h);
     visit(k - segment.first, state, now);
     if (k + 1 == segment.end) break;
-    state = after(drive, now, state, h);
-    for (double i = 1; i < steps; ++i) {
-      now.command = command.mean(log.time[k] + i * h, h, drive[Term::command_delay]);
+    for (double i = 0; i < steps; ++i) {
+      if (i > 0) now.command = command.mean(log.time[k] + i * h, h, drive[Term::command_delay]);
       state = after(drive, now, state, h);
+      pass(h, 1 / steps, state, now);
     }
   }
 }
@@ -96,28 +104,50 @@ std::vector<Real> late(const std::vector<Real>& course, const MotionLog& log, co
   return read;
 }
 
-/// What a segment reads: of position, then of each channel beside it.
+/// A channel as it is read, with the errors of its reading, from its means between neighbouring readings:
+/// each reading has the mean of those beside it, for where it lies within a held command is not known.
+template <class Real>
+std::vector<Real> channel_of(const std::vector<Real>& means, const Drive<Real>& drive,
+                             const ChannelKind& kind) {
+  std::vector<Real> read;
+  for (std::size_t k = 0; k <= means.size(); ++k) {
+    const Real& before = means[k == 0 ? 0 : k - 1];
+    const Real& behind = means[k == means.size() ? k - 1 : k];
+    read.push_back((1 + drive[kind.scale.term]) * ((before + behind) / 2.0) + drive[kind.zero.term]);
+  }
+  return read;
+}
+
+/// What a segment of two readings or more reads: of position, then of each channel beside it.
 template <class Real>
 std::vector<std::vector<Real>> readings_of(const Drive<Real>& drive, const MotionLog& log,
                                            const Segment& segment, const Real& reading, const Real& v) {
   std::vector<std::vector<Real>> read(1 + log.beside.size());
-  roll_out(drive, log, segment, reading, v,
-           [&](std::size_t, const Motion<Real>& state, const Imposed<Real>& now) {
-             read[0].push_back(state.reading(now.encoder));
-             for (std::size_t i = 0; i < log.beside.size(); ++i) {
-               const Channel channel = log.beside[i].channel;
-               const ChannelKind& kind = kind_of(channel);
-               read[1 + i].push_back((1 + drive[kind.scale.term]) * quantity_of(channel, drive, state, now) +
-                                     drive[kind.zero.term]);
-             }
-           });
-  if (read[0].size() < 2) return read;
+  roll_out(
+      drive, log, segment, reading, v,
+      [&](std::size_t k, const Motion<Real>& state, const Imposed<Real>& now) {
+        read[0].push_back(state.reading(now.encoder));
+        if (k + 1 < segment.end - segment.first)
+          for (std::size_t i = 1; i < read.size(); ++i) read[i].emplace_back(0);
+      },
+      [&](double h, double share, const Motion<Real>& state, const Imposed<Real>& now) {
+        if (read.size() == 1) return;
+        Motion<Real> middle = state;  // of the step, as its command is
+        middle.q = middle.q - h / 2 * middle.v;
+        middle.twist = middle.twist - h / 2 * middle.twisting;
+        for (std::size_t i = 1; i < read.size(); ++i)
+          read[i].back() =
+              read[i].back() + share * quantity_of(log.beside[i - 1].channel, drive, middle, now);
+      });
   const auto delayed = [&](std::vector<Real>& course, Term term) {
     if (drive.has(term)) course = late(course, log, segment, drive[term]);
   };
   delayed(read[0], Term::position_delay);
-  for (std::size_t i = 0; i < log.beside.size(); ++i)
-    delayed(read[1 + i], kind_of(log.beside[i].channel).delay.term);
+  for (std::size_t i = 1; i < read.size(); ++i) {
+    const ChannelKind& kind = kind_of(log.beside[i - 1].channel);
+    read[i] = channel_of(read[i], drive, kind);
+    delayed(read[i], kind.delay.term);
+  }
   return read;
 }
 
