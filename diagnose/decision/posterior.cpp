@@ -116,22 +116,50 @@ struct Holding {
   double probability;
 };
 
-/// Posterior::surely_part: the effect that most of what is left holds, one after the other.
-Labels surely_part(std::vector<Holding> left) {
-  Labels chosen;
-  for (double held = 0; held < priors::part_of_it;) {
-    std::map<std::string, double> sum;
+/// Effects of which one at least is part of the cause, and the probability of that.
+struct Cover {
+  Labels labels = {};
+  double probability = 0;
+};
+
+/// The most probable of all covers that have so many effects more.
+Cover most_probable(const std::vector<Holding>& left, const Labels& effects, const Cover& cover,
+                    std::size_t more) {
+  if (more == 0) return cover;
+  Cover best;
+  for (auto at = effects.begin(); at != effects.end(); ++at) {
+    Cover wider = cover;
+    wider.labels.push_back(*at);
+    std::vector<Holding> others;
     for (const Holding& one : left)
-      for (const std::string& label : one.labels) sum[label] += one.probability;
-    const auto most = std::max_element(sum.begin(), sum.end(),
-                                       [](const auto& a, const auto& b) { return a.second < b.second; });
-    if (most == sum.end() || most->second * priors::wrong_over_further_name < 1) return {};
-    chosen.push_back(most->first), held += most->second;
-    std::erase_if(left, [&](const Holding& one) {
-      return std::find(one.labels.begin(), one.labels.end(), chosen.back()) != one.labels.end();
-    });
+      if (std::find(one.labels.begin(), one.labels.end(), *at) != one.labels.end())
+        wider.probability += one.probability;
+      else
+        others.push_back(one);
+    wider = most_probable(others, Labels(std::next(at), effects.end()), wider, more - 1);
+    if (wider.probability > best.probability) best = std::move(wider);
   }
-  return chosen;
+  return best;
+}
+
+/// Posterior::surely_part: each effect more has to be worth naming.
+/// \param effects  with their probabilities
+Labels surely_part(const std::vector<Holding>& all, const std::map<std::string, double>& effects) {
+  constexpr std::size_t most = 3;
+  Labels worth_naming;
+  for (const auto& [label, probability] : effects)
+    if (probability * priors::wrong_over_further_name >= 1) worth_naming.push_back(label);
+  Cover cover;
+  while (cover.probability < priors::part_of_it) {
+    Cover wider = most_probable(all, worth_naming, {}, cover.labels.size() + 1);
+    if ((wider.probability - cover.probability) * priors::wrong_over_further_name < 1 ||
+        wider.labels.size() > most)
+      return {};
+    cover = std::move(wider);
+  }
+  std::stable_sort(cover.labels.begin(), cover.labels.end(),
+                   [&](const std::string& a, const std::string& b) { return effects.at(a) > effects.at(b); });
+  return cover.labels;
 }
 
 using Causes = std::map<Labels, CauseProbability>;
@@ -265,7 +293,7 @@ Posterior posterior(const Study& study, const Findings& findings) {
   for (std::size_t i = 0; i < gaps.size(); ++i)
     if (gaps[i].of == Way::Of::listed)
       move_to_what_is_seen(study, findings.hypotheses[gaps[i].hypothesis], weighed.probability[i], causes);
-  result.surely_part = surely_part(std::move(holding));
+  result.surely_part = surely_part(holding, result.effects);
   for (auto& [label, probability] : result.effects) probability = std::min(1.0, probability);  // likewise
   for (auto& [labels, cause] : causes) {
     cause.probability = std::clamp(cause.probability, 0.0, 1.0);  // but for rounding
