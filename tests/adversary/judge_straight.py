@@ -170,7 +170,7 @@ def of_torque(statement, answer, tally):
         return against("it is not stable unloaded", answer)
     symmetric = load == integers.transposed(load)
     first = torque.first_static(stiffness, load)
-    verdict = against("" if first else "no torque bends it", answer)
+    verdict = against(("" if first else "no torque bends it") or bent.why_singular(statement), answer)
     if verdict:
         return verdict
     chain, = answer.json()["chains"]

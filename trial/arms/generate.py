@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Makes experiments with arms in space and seals their labels.
 
-    generate.py OUT --seed S --count N [--only ID ... | --tolerance RAD]
+    generate.py OUT --seed S --count N [--only ID ...] [--tolerance RAD]
 
 writes OUT/arms-S/NAME/ (the experiment), OUT/arms-S/seals.json and, apart from them, OUT/arms-S-labels/NAME.json and held-out/NAME/ (the
 same arm at other poses, without noise). With --tolerance every joint is off by as much, and the tracker stands anywhere. Moved to OUT/arms-S/labels, labels are opened: `plumbline trial --experiments OUT/arms-S` scores.
@@ -21,7 +21,7 @@ from sealing import new_folders, sealed, write_seals  # noqa: E402
 
 def make(job):
     out, labels, seed, only, tolerance, number = job
-    drawn = draw(number, seed, only) if tolerance is None else ordinary.draw(number, seed, tolerance)
+    drawn = draw(number, seed, only) if tolerance is None else ordinary.draw(number, seed, tolerance, only)
     name = f"{drawn.bench.shape.name}-{number:03d}"
     write_experiment(out / name, name, drawn.bench, drawn.readings)
     write_experiment(labels / "held-out" / name, name, drawn.later, drawn.later_readings)

@@ -62,7 +62,7 @@ def scaled(bench, nominal, cause, place, random):
     return None
 
 
-def attempt(shape, tolerance, alone, random):
+def attempt(shape, tolerance, alone, causes, random):
     poses = draw_poses(shape, POSES, random)
     load = round(random.uniform(0.4, 1.0) * shape.payload, 2)
     bench = Bench(shape, [Run("unloaded", poses, weights(shape, 0, POSES)), Run("loaded", poses, weights(shape, load, POSES))], (), False, False)
@@ -70,7 +70,7 @@ def attempt(shape, tolerance, alone, random):
     nominal = clean_readings(bench, Truth(shape.size))
     planted = []
     if not alone:
-        cause = CAUSES[random.integers(len(CAUSES))]
+        cause = causes[random.integers(len(causes))]
         places = list(cause.places(shape))
         if not places:
             return None
@@ -96,12 +96,13 @@ def attempt(shape, tolerance, alone, random):
                  later, placed(clean_readings(later, truth(), after=True), turn, shift))
 
 
-def draw(number, seed, tolerance):
-    """Experiment `number` of a seed; the arms take turns."""
+def draw(number, seed, tolerance, only=()):
+    """Experiment `number` of a seed; the arms take turns. Its cause is one of `only`, where these are given."""
+    causes = tuple(c for c in CAUSES if not only or c.id in only)
     for trial in range(200):
         random = np.random.default_rng([seed, number, trial, 70])
         try:
-            drawn = attempt(SHAPES[number % len(SHAPES)], tolerance, number % ALONE == ALONE - 1, random)
+            drawn = attempt(SHAPES[number % len(SHAPES)], tolerance, number % ALONE == ALONE - 1, causes, random)
         except ArithmeticError:
             continue
         if drawn is not None:
