@@ -97,8 +97,9 @@ def starts(plane, count, random):
     return z
 
 
-def equilibria(statement, factor, count, seed, steps=60):
+def equilibria(statement, factor, count, seed, steps=60, solved=None):
     """Shapes (rows of unknowns), distinct but for whole turns of nothing: as Newton's method leaves them."""
+    solved = solved or regularly_solved
     plane, random = Plane(statement, float(Fraction(factor))), numpy.random.default_rng(seed)
     z = starts(plane, count, random)
     total = None
@@ -129,11 +130,16 @@ def equilibria(statement, factor, count, seed, steps=60):
     return distinct(z[done])
 
 
-def solved(matrix, right):
+def regularly_solved(matrix, right):
     try:
         return numpy.linalg.solve(matrix, right[..., None])[..., 0]
     except numpy.linalg.LinAlgError:  # constraints that repeat each other
         return numpy.einsum("cij,cj->ci", numpy.linalg.pinv(matrix, rcond=1e-12), right)
+
+
+def shortest(matrix, right):
+    """The shortest step, that leads to a continuum of equilibria too."""
+    return numpy.einsum("cij,cj->ci", numpy.linalg.pinv(matrix, rcond=1e-7), right)
 
 
 def distinct(shapes, close=1e-6):

@@ -100,7 +100,8 @@ def equilibria(program, text, tally, factor, starts, seed):
         return verdict
     line = straight(statement)
     if answer.refused:
-        return against(why_no_path(line) or (beyond(statement) if certify else ""), answer)
+        reason = why_no_path(line) or (beyond(statement) or not_isolated(statement, factor, seed) if certify else "")
+        return against(reason, answer)
     if why_no_path(line) and not certify:
         return [("unsettled", "")]
     said = answer.json()
@@ -116,6 +117,14 @@ def beyond(statement):
     if energy.shifts(statement) != (False, False) or statement.end_point.along != "free":
         return "a census takes no base that moves, and no end point held along"
     return "a census takes no joint held across" if "held" in statement.supports.values() else ""
+
+
+def not_isolated(statement, factor, seed):
+    for shape in census.equilibria(statement, factor, 40, seed, solved=census.shortest):
+        about = bent.found(statement, list(shape), float(Fraction(factor)))
+        if about.residual < 1e-9 and numpy.min(abs(about.eigenvalues), initial=numpy.inf) < 1e-9 * about.scale:
+            return "equilibria are not isolated"
+    return ""
 
 
 def numbers_of(equilibrium, factor):

@@ -49,7 +49,7 @@ struct BentLimits {
   Real to;    ///< largest factor
   Real longest =
       Real(1) / Real(20);        ///< step: root mean square turn of the axes in radians, and share of `to`
-  std::size_t solves = 500'000;  ///< linear systems of one tracer, at most: all its loops end there
+  std::size_t solves = 150'000;  ///< linear systems of one tracer, at most: all its loops end there
 };
 
 /// Pseudo-arclength continuation of one model. Dense, O(n^3) a step.
