@@ -80,7 +80,8 @@ TEST_CASE("an imposed angle: the torque is measured") {
   const CharacteristicScales scales = characteristic_scales(experiment);
   CHECK(scales.load_cell);
   CHECK(scales.measures_force);
-  CHECK_FALSE((scales.links || scales.weighs || scales.end_is_loaded));
+  CHECK(scales.axes == 1);
+  CHECK_FALSE((scales.weighs || scales.end_is_loaded));
 }
 
 TEST_CASE("an imposed torque: the angle is measured, and weights have no sensor") {

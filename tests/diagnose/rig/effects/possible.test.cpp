@@ -31,7 +31,7 @@ TEST_CASE("an effect is possible where the bench meets each of its conditions") 
   const auto no_place = [](CharacteristicScales& s) { s.measured.fill(false); };
   const auto no_cell = [](CharacteristicScales& s) { s.load_cell = false; };
   const auto no_clock = [](CharacteristicScales& s) { s.clock = false; };
-  const auto no_links = [](CharacteristicScales& s) { s.links = false; };
+  const auto no_links = [](CharacteristicScales& s) { s.axes = 1; };
   const auto no_end = [](CharacteristicScales& s) { s.end_is_loaded = false; };
   const auto no_turn = [](CharacteristicScales& s) { s.turns_back = false; };
   const auto weightless = [](CharacteristicScales& s) { s.weighs = false; };
