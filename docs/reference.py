@@ -21,11 +21,11 @@ Written by `docs/reference.py` out of the [schemas](schemas), which editors show
 SI units and radians; joints, links, tables count from 1, readings of a run from 0. An effect is written `id`, or `id(j)` at joint or link j
 ([catalogue](effects.md)).
 """
-# (schema, heading, what it is, whether its tables have headings of their own; None: the tables alone)
+# (schema, heading, what it is, words behind the headings of its tables; False: they have none; None: the tables alone)
 FORMATS = [
-    ("experiment", "experiment.toml", "Makes a folder an [experiment](experiment-format.md).", True),
+    ("experiment", "experiment.toml", "Makes a folder an [experiment](experiment-format.md).", ""),
     ("arm-experiment", "experiment.toml of an arm", "Beside the keys above, for an [arm in space](arms.md).", False),
-    ("motion-experiment", "experiment.toml of a joint in motion", "For [logs of a joint](motion.md).", True),
+    ("motion-experiment", "experiment.toml of a joint in motion", "For [logs of a joint](motion.md).", " of logs"),
     ("user-effects", "Effects of your own", "The file of `--effects` ([how](user-effects.md)).", False),
     ("gap-diagnosis", "The report", "The parts of what `plumbline diagnose FOLDER --json` writes, and of the page of `--html` (`data-key`); the schema has their keys.", None),
 ]
@@ -98,13 +98,13 @@ def section(name, heading, said, divided):
         members = {key: one for key, one in schema.members(node, whatever).items() if node is not schema.root or key not in tables}
         return "".join(entries(schema, members, schema.resolved(node, whatever).get("required", []) if deep else (), deep))
 
-    tables = [key for key, node in schema.members(schema.root).items() if divided and schema.members(node, whatever=True)]
+    tables = [key for key, node in schema.members(schema.root).items() if isinstance(divided, str) and schema.members(node, whatever=True)]
     text = f"\n## {heading}\n\n{said} [schemas/{name}.schema.json](schemas/{name}.schema.json)\n\n" + listed(schema.root)
     for key in tables:
         node = schema.members(schema.root)[key]
-        title = f"[[{key}]]" if node.get("type") == "array" else f"[{key}]"
+        title = (f"[[{key}]]" if node.get("type") == "array" else f"[{key}]") + divided
         text += f"\n### {title}\n\n" + sentence(node.get("description", "")) + listed(node, whatever=True)
-    for one in (schema.definitions.values() if divided else ()):
+    for one in (schema.definitions.values() if isinstance(divided, str) else ()):
         if "title" in one:
             text += f"\n### {one['title']}\n\n{one['description']}\n\n" + listed(one)
     return text

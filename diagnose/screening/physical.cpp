@@ -241,7 +241,6 @@ void require_chain(const Experiment& experiment) {
   for (const Run& run : experiment.runs) {
     require_turns(run);
     if (experiment.has_links()) require_reach(experiment, run, limits);
-    require_geometry(experiment, run, limits);
   }
 }
 
@@ -267,6 +266,7 @@ void require_physical(const Experiment& experiment) {
   require_device(experiment);
   std::size_t values = 0;
   for (const Run& run : experiment.runs) {
+    if (!experiment.arm) require_geometry(experiment, run, reach(experiment.link_length));
     require_noise(run, experiment.noise);
     values += measured_values(run);
   }

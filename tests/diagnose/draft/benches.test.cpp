@@ -99,14 +99,14 @@ TEST_CASE("an encoder at the motor is the command of the one at the link") {
 
 TEST_CASE("a force over a travel is a joint that slides") {
   const Experiment experiment = drafted(nominal_model("joint = \"prismatic\"\njoint_stiffness = [4000.0]\n"),
-                                        {of_document("joint-loop.md", "buffer/press.csv")});
+                                        {at_the_door("buffer.csv")});
   CHECK(experiment.alone == Alone::slides);
   CHECK(experiment.runs[0].readings[2][column_x] == 0.001);
   CHECK(experiment.runs[0].readings[2][column_Fx] == 4.06);
 }
 
 TEST_CASE("a unit that a title says is asked about, not replaced, where the model has another size") {
-  const DraftFile press = of_document("joint-loop.md", "buffer/press.csv");  // stroke_mm, force_N
+  const DraftFile press = at_the_door("buffer.csv");  // stroke_mm, force_N
   const Draft draft =
       draft_experiment("buffer", nominal_model("joint = \"prismatic\"\njoint_stiffness = [4]\n"), {press});
   CHECK(draft.settings.find("\"stroke_mm\", unit = \"mm\"") != std::string::npos);
@@ -115,7 +115,7 @@ TEST_CASE("a unit that a title says is asked about, not replaced, where the mode
 
 TEST_CASE("weights on a lever: the lever is asked for, and may be told") {
   const DraftModel flexure = nominal_model("joint = \"revolute\"\njoint_stiffness = [2.2]\n");
-  const DraftFile weights = of_document("joint-loop.md", "flexure/weights.csv");
+  const DraftFile weights = of_example("flexure/weights.csv");
   const Draft asked = draft_experiment("flexure", flexure, {weights});
   CHECK(asked.question.find("lever") != std::string::npos);
   CHECK(asked.question.find("--columns") != std::string::npos);
@@ -142,7 +142,7 @@ TEST_CASE("a tendon: its moment arms are asked for") {
   const Draft draft = draft_experiment("finger",
                                        nominal_model("link_length = [0.045, 0.03, 0.025]\njoint_stiffness = "
                                                      "[0.16, 0.12, 0.1]\nrest = [0.17, 0.26, 0.17]\n"),
-                                       {of_document("tendons.md", "finger/bend.csv")});
+                                       {of_example("finger/bend.csv")});
   CHECK(draft.question.find("radius of tension") != std::string::npos);
 }
 

@@ -100,6 +100,7 @@ TEST_CASE("an effect is possible where the bench meets each of its conditions") 
   in_space.axes = 3;
   in_space.reads_encoders = true;
   in_space.rigid = {true, false, false};
+  in_space.slides = {false, false, true};
   in_space.link_mass = {1, 1, 1};
   for (const Effect& row : catalogue()) {
     CAPTURE(row.id);
