@@ -68,6 +68,19 @@ std::string rest_of(const Diagnosis& d, const Hypothesis& named, double sigma) {
   return whole ? "" : "the rest is outside the catalogue";
 }
 
+/// The rows that surely act beside a cause, too little to be named.
+std::vector<MinorEffect> beside(const NamedCause& cause, const Study& study, const Posterior& posterior) {
+  std::vector<MinorEffect> all;
+  for (const Row& row : study.rows()) {
+    const auto found = posterior.effects.find(std::string(row.id));
+    const bool is_named = std::any_of(cause.effects.begin(), cause.effects.end(),
+                                      [&](const NamedEffect& one) { return one.id == row.id; });
+    if (found != posterior.effects.end() && found->second >= diagnose::priors::part_of_it && !is_named)
+      all.push_back({std::string(row.id), std::string(row.words), std::min(1.0, found->second)});
+  }
+  return all;
+}
+
 std::optional<double> repeatability_of(const Bench& bench) {
   std::vector<const MotionLog*> all;
   for (const std::vector<MotionLog>* logs : {&bench.logs, &bench.held_out})
@@ -96,7 +109,7 @@ LogError Diagnosis::mean(bool held_out) const {
 
 Diagnosis diagnose_motion(const Study& study, const std::function<void(double)>& progress) {
   const Findings findings = search(study, progress);
-  const Posterior posterior = motion::posterior(findings);
+  const Posterior posterior = motion::posterior(study, findings);
   const diagnose::Verdict verdict = decide(posterior);
   Diagnosis result;
   result.name = study.bench().name;
@@ -127,6 +140,7 @@ Diagnosis diagnose_motion(const Study& study, const std::function<void(double)>&
       best = std::move(part);
     }
   }
+  if (!result.causes.empty()) result.beside = beside(result.causes.front(), study, posterior);
   result.before = estimates(findings.nominal, 0, study.unknowns(), posterior.temper);
   result.after = estimates(best, 0, study.unknowns(), posterior.temper);
   result.spread = best.look.best.amplitude;

@@ -40,6 +40,12 @@ struct LogError {
   double before, after;
 };
 
+/// A row that surely acts, and changes too little to be part of what is named.
+struct MinorEffect {
+  std::string id, words;
+  double probability;
+};
+
 struct Diagnosis {
   std::string name;
   LogsLook look;
@@ -50,6 +56,7 @@ struct Diagnosis {
   bool or_outside = false;            ///< whether that is one of the alternatives
   std::string rest;                   ///< why something is left beside what is named; empty where nothing is
   std::vector<NamedCause> causes;     ///< those that are named, most probable first
+  std::vector<MinorEffect> beside;    ///< the first that is named
   std::vector<NamedCause> ranking;    ///< the most probable ones, named or not
   std::vector<Estimate> before;       ///< the drive's unknown numbers without a cause
   std::vector<Estimate> after;        ///< and beside the first that is named

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "diagnose/inference/size_prior.hpp"
 #include "diagnose/log_sum.hpp"
@@ -48,14 +49,58 @@ std::vector<Way> ways(const Findings& findings) {
   return all;
 }
 
+/// All that a hypothesis leaves of the means, in standard deviations of the readings' noise.
+Eigen::VectorXd in_sigmas(const Study& study, const Hypothesis& h) {
+  std::vector<double> all;
+  for (const SegmentMeans& one : study.left(h.parameters, h.values, h.begins))
+    for (Eigen::Index i = 0; i < one.residual.size(); ++i)
+      all.push_back(one.residual(i) / std::sqrt(one.variance(i)));
+  return Eigen::Map<const Eigen::VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
+}
+
+/// The smallest part of a cause that changes the logs nearly as all of it does: what it leaves of that
+/// change, root mean squares, costs less than one name more. The cause itself where it has no such part.
+class MainCauses {
+ public:
+  MainCauses(const Study& study, const Findings& findings) : study_(study), findings_(findings) {}
+
+  std::size_t operator()(std::size_t whole) {
+    const std::vector<std::string> labels = labels_of(findings_.hypotheses[whole].candidate);
+    std::size_t best = whole, fewest = labels.size();
+    for (std::size_t i = 0; i < findings_.hypotheses.size() && labels.size() > 1; ++i) {
+      const std::vector<std::string> some = labels_of(findings_.hypotheses[i].candidate);
+      if (some.size() >= fewest || !std::includes(labels.begin(), labels.end(), some.begin(), some.end()))
+        continue;
+      const double left = (residual(i) - residual(whole)).norm(),
+                   changed = (in_sigmas(study_, findings_.nominal) - residual(whole)).norm();
+      if (diagnose::priors::wrong_over_further_name * left < changed) best = i, fewest = some.size();
+    }
+    return best;
+  }
+
+ private:
+  const Eigen::VectorXd& residual(std::size_t i) {
+    const auto found = residual_.find(i);
+    if (found != residual_.end()) return found->second;
+    return residual_[i] = in_sigmas(study_, findings_.hypotheses[i]);
+  }
+
+  const Study& study_;
+  const Findings& findings_;
+  std::map<std::size_t, Eigen::VectorXd> residual_;
+};
+
 }  // namespace
 
-Posterior posterior(const Findings& findings) {
+Posterior posterior(const Study& study, const Findings& findings) {
   const std::vector<Way> all = ways(findings), gaps(all.begin() + 1, all.end());
   const diagnose::Weighed weighed = diagnose::weigh(all);
   Posterior result;
   static_cast<diagnose::GapPosterior&>(result) = weighed.gap;
   double most = 0;
+  constexpr double least_named = 1e-3;  // causes that are less probable are not named
+  MainCauses main_cause(study, findings);
+  std::map<std::size_t, double> listed;  // by hypothesis
   for (std::size_t i = 0; i < gaps.size(); ++i) {
     const double p = weighed.probability[i];
     if (gaps[i].of == Way::Of::outside) result.outside += p;
@@ -64,8 +109,11 @@ Posterior posterior(const Findings& findings) {
     for (const std::string& label : labels) result.effects[label] += p;
     if (p > most) most = p, result.leading = gaps[i].hypothesis;
     if (gaps[i].of == Way::Of::listed)
-      result.causes.push_back({labels, std::min(1.0, p), gaps[i].hypothesis});
+      listed[p > least_named ? main_cause(gaps[i].hypothesis) : gaps[i].hypothesis] += p;
   }
+  for (const auto& [hypothesis, p] : listed)
+    result.causes.push_back(
+        {labels_of(findings.hypotheses[hypothesis].candidate), std::min(1.0, p), hypothesis});
   std::stable_sort(result.causes.begin(), result.causes.end(),
                    [](const auto& a, const auto& b) { return a.probability > b.probability; });
   if (!result.causes.empty()) {

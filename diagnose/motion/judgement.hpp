@@ -8,7 +8,7 @@
 namespace plumbline::motion {
 
 /// As of the diagnosis of benches. The evidence counts to the power `temper` where a discrepancy is beside
-/// the causes.
-diagnose::Posterior posterior(const Findings& findings);
+/// the causes. Of a cause of which a part changes the logs nearly as the whole does, the part is named.
+diagnose::Posterior posterior(const Study& study, const Findings& findings);
 
 }  // namespace plumbline::motion

@@ -153,6 +153,10 @@ nlohmann::ordered_json as_json(const LogError& one) {
   return {{"log", one.log}, {"held_out", one.held_out}, {"before", one.before}, {"after", one.after}};
 }
 
+nlohmann::ordered_json as_json(const MinorEffect& one) {
+  return {{"effect", one.id}, {"words", one.words}, {"probability", one.probability}};
+}
+
 nlohmann::ordered_json as_json(const PhaseError& one) {
   return {{"phase", phase_words[static_cast<std::size_t>(one.phase)]},
           {"readings", one.readings},
@@ -189,6 +193,9 @@ std::string next_text(const Diagnosis& d) {
 std::string as_text(const Diagnosis& d) {
   std::string text = fmt::format("{}\n\n{}", d.name, verdict_text(d));
   if (!d.rest.empty()) text += fmt::format("  {}\n", d.rest);
+  for (const MinorEffect& one : d.beside)
+    text += fmt::format("  beside it, and far smaller: {} (probability {})\n", one.words,
+                        diagnose::probability_in_words(one.probability));
   text += "  mean error of position, each log predicted whole from its first reading:\n";
   text += error_text(d, true) + error_text(d, false);
   if (d.repeatability)
@@ -211,13 +218,18 @@ std::string as_text(const Diagnosis& d) {
 }
 
 nlohmann::ordered_json as_json(const Diagnosis& d) {
-  nlohmann::ordered_json json{
-      {"format", "motion-report/1"},        {"name", d.name},
-      {"verdict", verdict_word(d.verdict)}, {"probability_of_gap", d.gap},
-      {"probability_outside", d.outside},   {"causes", list_of(d.causes)},
-      {"ranking", list_of(d.ranking)},      {"drive_without_cause", list_of(d.before)},
-      {"drive", list_of(d.after)},          {"errors", list_of(d.errors)},
-      {"phases", list_of(d.phases)}};
+  nlohmann::ordered_json json{{"format", "motion-report/1"},
+                              {"name", d.name},
+                              {"verdict", verdict_word(d.verdict)},
+                              {"probability_of_gap", d.gap},
+                              {"probability_outside", d.outside},
+                              {"causes", list_of(d.causes)},
+                              {"beside", list_of(d.beside)},
+                              {"ranking", list_of(d.ranking)},
+                              {"drive_without_cause", list_of(d.before)},
+                              {"drive", list_of(d.after)},
+                              {"errors", list_of(d.errors)},
+                              {"phases", list_of(d.phases)}};
   if (d.repeatability) json["repeatability"] = *d.repeatability;
   if (d.next) json["next"] = {{"motion", d.next->words}, {"gain", d.next->gain}, {"apart", d.next->apart}};
   json["look"] = {{"logs", d.look.logs},

@@ -84,6 +84,7 @@ def attempt(shape, tolerance, alone, causes, random):
         true = Truth(shape.size)
         joints_off(true, shape, tolerance, np.random.default_rng(off))
         true.tip_shift += ball
+        true.load_offset -= ball  # the weights hang where the tool is stated, wherever the ball sits
         for one in planted:
             one.on(true, shape)
         return true

@@ -11,17 +11,27 @@
 namespace plumbline::motion {
 namespace {
 
-/// A bench whose model states the drive of the tests, but for what is planted.
-Study study_of(Term term, double value) {
+/// A bench whose model states the drive of the tests, where another one moves.
+Study study_of(const Drive<double>& moves) {
   Bench bench;
   bench.name = "planted";
   bench.nominal = planted_drive(Term::command_delay, 0);
   bench.sigma = 5e-4;
   unsigned seed = 1;
-  for (const double gain : {4.0, 8.0, 16.0})
-    bench.logs.push_back(test_log(planted_drive(term, value), gain, bench.sigma, seed++));
-  bench.held_out.push_back(test_log(planted_drive(term, value), 6, bench.sigma, seed));
+  for (const double gain : {4.0, 8.0, 16.0}) bench.logs.push_back(test_log(moves, gain, bench.sigma, seed++));
+  bench.held_out.push_back(test_log(moves, 6, bench.sigma, seed));
   return Study(bench);
+}
+
+Study study_of(Term term, double value) {
+  return study_of(planted_drive(term, value));
+}
+
+std::set<std::string> first_named(const Diagnosis& diagnosis) {
+  std::set<std::string> effects;
+  if (!diagnosis.causes.empty())
+    for (const NamedEffect& one : diagnosis.causes.front().effects) effects.insert(one.id);
+  return effects;
 }
 
 }  // namespace
@@ -67,6 +77,21 @@ TEST_CASE(
 }
 
 TEST_SUITE_END();
+
+TEST_CASE("an effect that changes less than a twentieth of what another does is not named beside it") {
+  Drive<double> moves = planted_drive(Term::command_delay, 0.03);
+  moves[Term::load_mass] = 0.01;
+  const Diagnosis diagnosis = diagnose_motion(study_of(moves));
+  INFO(as_text(diagnosis));
+  CHECK(diagnosis.verdict == diagnose::CauseVerdict::identified);
+  CHECK(first_named(diagnosis) == std::set<std::string>{"command_delay"});
+  REQUIRE(diagnosis.beside.size() == 1);
+  CHECK(diagnosis.beside.front().id == "load_mass");
+  moves[Term::load_mass] = 0.3;
+  const Diagnosis both = diagnose_motion(study_of(moves));
+  INFO(as_text(both));
+  CHECK(first_named(both) == std::set<std::string>{"command_delay", "load_mass"});
+}
 
 TEST_CASE("a drive that is as stated has no gap") {
   const Diagnosis diagnosis = diagnose_motion(study_of(Term::command_delay, 0));
