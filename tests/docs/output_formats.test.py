@@ -23,7 +23,9 @@ RARE = {"gap-diagnosis": {"/calibration/left_of_unseen_poses/additionalPropertie
                           *(f"/gap/continued_runs/{key}" for key in ("run", "by")),
                           *(f"/gap/thinned/{key}" for key in ("run", "readings", "of")),
                           *(f"/gap/interpolated/{key}" for key in ("run", "covariate", "readings", "of"))},
-        "motion-report": {"/next", *(f"/next/{key}" for key in ("motion", "gain", "apart"))},  # the example of docs/motion.md shows it
+        "motion-report": {"/next", *(f"/next/{key}" for key in ("motion", "gain", "apart")),
+                          # a test of the diagnosis has these: motion/diagnosis
+                          *(f"/beside/{key}" for key in ("effect", "words", "probability"))},
         "path": {"/certificates/failure/load", "/certificates/failure/reason"}}
 
 
