@@ -1,20 +1,20 @@
 #!/usr/bin/env python3
 """Whether stated probabilities hold: of a gap, of a cause outside the catalogue, of each effect to be part of the cause.
 
-    calibration.py PLUMBLINE BANK LABELS [--reports FOLDER] [--markdown FILE]
+    calibration.py PLUMBLINE EXPERIMENTS LABELS [--reports FOLDER] [--markdown FILE] [--jobs J]
 
-diagnoses every experiment of BANK (generate.py --faint), and compares what is stated with LABELS. Reports stay in the folder, if one is given.
+diagnoses every experiment (generate.py --faint), and compares what is stated with LABELS. Reports stay in the folder, if one is given.
 """
-import argparse
-import concurrent.futures
 import json
 import pathlib
-import subprocess
 import sys
-import tempfile
 
 import numpy as np
 from scipy.stats import beta
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+
+from scoring import arguments, diagnosed, for_each_experiment  # noqa: E402
 
 EDGES = (0, 0.1, 0.2, 0.35, 0.5, 0.65, 0.8, 0.9, 0.97, 1.0001)
 COVERAGE = 0.95  # of the intervals of a diagram, all at once
@@ -28,14 +28,6 @@ def key(effect):
     """An effect as reports have it; alternatives of labels are keys already."""
     text = effect if isinstance(effect, str) else effect["id"] + (f"({effect['joint']})" if effect.get("joint") else "")
     return CURRENT.get(text, text)
-
-
-def report_of(plumbline, folder, reports):
-    """The report of an experiment; nothing where the program fails."""
-    out = reports / f"{folder.name}.json"
-    if not out.exists():
-        subprocess.run([plumbline, "diagnose", folder, "--json", out], capture_output=True, timeout=300, check=False)
-    return json.loads(out.read_text()) if out.exists() else None
 
 
 def truth_of(labels, name):
@@ -122,22 +114,11 @@ def verdicts(pairs):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("plumbline")
-    parser.add_argument("bank", type=pathlib.Path)
-    parser.add_argument("labels", type=pathlib.Path)
-    parser.add_argument("--reports", type=pathlib.Path)
-    parser.add_argument("--markdown", type=pathlib.Path)
-    parser.add_argument("--jobs", type=int, default=1)
-    a = parser.parse_args()
-    reports = a.reports or pathlib.Path(tempfile.mkdtemp())
-    reports.mkdir(parents=True, exist_ok=True)
-    folders = sorted(f for f in a.bank.iterdir() if (f / "experiment.toml").exists() and (a.labels / f"{f.name}.json").exists())
-    with concurrent.futures.ThreadPoolExecutor(a.jobs) as pool:
-        found = list(pool.map(lambda f: report_of(a.plumbline, f, reports), folders))
-    pairs = [(report, truth_of(a.labels, folder.name)) for folder, report in zip(folders, found) if report]
+    a = arguments(__doc__)
+    found = for_each_experiment(a, lambda name: (diagnosed(a, name, a.experiments / name), name))
+    pairs = [(report, truth_of(a.labels, name)) for report, name in found if report]
     text = "\n".join([verdicts(pairs)] + [diagram(question, said) for question, said in statements(pairs).items()])
-    text = f"{len(pairs)} experiments answered, {len(folders) - len(pairs)} not.\n\n" + text
+    text = f"{len(pairs)} experiments answered, {len(found) - len(pairs)} not.\n\n" + text
     if a.markdown:
         a.markdown.write_text(text)
     sys.stdout.write(text)
