@@ -49,10 +49,8 @@ Side side(const Study& reference, const Study& state,
   relative.experiment.name = state.experiment().name + " against " + reference.experiment().name;
   Study study = known.of(relative.experiment);
   Diagnosis diagnosis = diagnose(study, progress(part + 1));
-  const CauseVerdict found = alone.cause.verdict;
-  const bool lacks = found == CauseVerdict::partial || found == CauseVerdict::unknown;
   return {std::move(relative), std::move(study), std::move(diagnosis), log_simplicity(alone),
-          lacks ? priors::temper : 1};
+          alone.cause.leaves_a_rest() ? priors::temper : 1};
 }
 
 /// The causes of a sense with this probability that are worth naming beside those of the likelier one.

@@ -66,28 +66,30 @@ class MainCauses {
 
   std::size_t operator()(std::size_t whole) {
     const std::vector<std::string> labels = labels_of(findings_.hypotheses[whole].candidate);
+    if (labels.size() < 2) return whole;
+    const double changed = (residual(findings_.nominal) - residual(findings_.hypotheses[whole])).norm();
     std::size_t best = whole, fewest = labels.size();
-    for (std::size_t i = 0; i < findings_.hypotheses.size() && labels.size() > 1; ++i) {
+    for (std::size_t i = 0; i < findings_.hypotheses.size(); ++i) {
       const std::vector<std::string> some = labels_of(findings_.hypotheses[i].candidate);
       if (some.size() >= fewest || !std::includes(labels.begin(), labels.end(), some.begin(), some.end()))
         continue;
-      const double left = (residual(i) - residual(whole)).norm(),
-                   changed = (in_sigmas(study_, findings_.nominal) - residual(whole)).norm();
+      const double left = (residual(findings_.hypotheses[i]) - residual(findings_.hypotheses[whole])).norm();
       if (diagnose::priors::wrong_over_further_name * left < changed) best = i, fewest = some.size();
     }
     return best;
   }
 
  private:
-  const Eigen::VectorXd& residual(std::size_t i) {
-    const auto found = residual_.find(i);
+  /// Predicted once for each hypothesis.
+  const Eigen::VectorXd& residual(const Hypothesis& of) {
+    const auto found = residual_.find(&of);
     if (found != residual_.end()) return found->second;
-    return residual_[i] = in_sigmas(study_, findings_.hypotheses[i]);
+    return residual_[&of] = in_sigmas(study_, of);
   }
 
   const Study& study_;
   const Findings& findings_;
-  std::map<std::size_t, Eigen::VectorXd> residual_;
+  std::map<const Hypothesis*, Eigen::VectorXd> residual_;
 };
 
 }  // namespace
