@@ -30,6 +30,7 @@ Reading between(const Reading& from, const Reading& to, double share) {
       from.t + share * (to.t - from.t), {}, all(from.rest, to.rest), all(from.covariates, to.covariates)};
   for (const std::ptrdiff_t column : {column_x, column_y, column_Fx, column_Fy})
     one[column] = from[column] + share * (to[column] - from[column]);
+  one.wrench = from.wrench.size() == to.wrench.size() ? all(from.wrench, to.wrench) : to.wrench;
   return one;
 }
 

@@ -53,6 +53,7 @@ constexpr Way no_pulley{false, "of the pulley, not of the chain"};
 constexpr Way no_tendon{false, "of the tendons or pressures that load the chain, not of the chain"};
 constexpr Way no_set{false, "rest angles of this format do not move"};
 constexpr Way no_servo{false, "of the servos, not of the chain"};
+constexpr Way no_centre{false, "links of this file keep their centres of mass"};
 constexpr Way no_counterweight{false, "this format has no torque that goes with the cosine of an angle"};
 constexpr Way no_joint_sensor{false, "of the sensors of the joints, not of the chain"};
 constexpr Way no_coupling{false, "joints of this format are not coupled"};
@@ -96,7 +97,9 @@ const std::map<std::string_view, Way>& everywhere() {
                                                    {"second_zero", no_second_sensor},
                                                    {"second_gain", no_second_sensor},
                                                    {"link_mass", masses},
+                                                   {"link_centre", no_centre},
                                                    {"joint_scale", no_servo},
+                                                   {"gravity_compensation", no_servo},
                                                    {"encoder_ripple", no_servo},
                                                    {"command_delay", no_servo},
                                                    {"joint_balance", no_counterweight},

@@ -4,8 +4,90 @@
 #include <limits>
 
 #include "diagnose/rig/arm_traveller.hpp"
+#include "diagnose/rig/substeps.hpp"
 
 namespace plumbline::diagnose {
+namespace {
+
+/// An arm along one run, with its variations beside it.
+class ArmWalk {
+ public:
+  ArmWalk(const Experiment& experiment, const Run& run, const Rig& rig, const std::vector<Rig>& variations)
+      : run_(run), main_(experiment, rig, run, most_contacts(rig, variations)) {
+    beside_.reserve(variations.size());
+    for (const Rig& one : variations)
+      beside_.emplace_back(experiment, one, run, most_contacts(rig, variations));
+    const auto remembers_any = [&](const Rig& one) { return remembers(one, contact_count(one)); };
+    if (remembers_any(rig) || std::any_of(variations.begin(), variations.end(), remembers_any))
+      parts_ = substeps(run, contact_count(rig), rig);
+    else
+      parts_.assign(run.readings.size(), 1);
+  }
+
+  bool walk(Trace& trace, const std::vector<Trace*>& beside) {
+    Eigen::ArrayXd row = Eigen::ArrayXd::Constant(trace.cols(), std::numeric_limits<double>::quiet_NaN()),
+                   other = row;
+    if (const auto before = run_.before_first()) {
+      if (!arrive({*before})) return false;
+      remember();
+    }
+    for (std::size_t r = 0; r < run_.readings.size(); ++r) {
+      const auto at = static_cast<Eigen::Index>(r);
+      follow(r);
+      if (!arrive({run_.readings[r], last_, r})) return false;
+      main_.write(row);
+      trace.row(at) = row.transpose();
+      for (std::size_t p = 0; p < beside_.size(); ++p) {
+        beside_[p].write(other);
+        beside[p]->row(at) = (other - row).transpose();
+      }
+      remember();
+      last_ = r;
+    }
+    return true;
+  }
+
+ private:
+  static std::size_t most_contacts(const Rig& rig, const std::vector<Rig>& variations) {
+    std::size_t most = contact_count(rig);
+    for (const Rig& one : variations) most = std::max(most, contact_count(one));
+    return most;
+  }
+
+  /// The way to a reading, as far as the arm comes to rest there.
+  void follow(std::size_t r) {
+    if (!last_) return;
+    for (std::size_t part = 1; part < parts_[r]; ++part) {
+      const double share = static_cast<double>(part) / static_cast<double>(parts_[r]);
+      if (!arrive({between(run_.readings[*last_], run_.readings[r], share), last_, r, share})) return;
+      remember();
+    }
+  }
+
+  bool arrive(const Stop& stop) {
+    main_.head_for(stop);
+    if (!main_.settle()) return false;
+    if (!beside_.empty()) main_.prepare();
+    return std::all_of(beside_.begin(), beside_.end(), [&](ArmTraveller& other) {
+      other.head_for(stop);
+      return other.settle_beside(main_);
+    });
+  }
+
+  void remember() {
+    main_.remember();
+    for (ArmTraveller& other : beside_) other.remember();
+  }
+
+  const Run& run_;
+  ArmTraveller main_;
+  std::vector<ArmTraveller> beside_;
+  std::vector<std::size_t> parts_;   ///< number of substeps to each reading
+  std::optional<std::size_t> last_;  ///< reading
+};
+
+}  // namespace
+
 Eigen::Index columns_of_arm(const Experiment& experiment) {
   return Channel(Channel::Name::place, 3 * experiment.arm_bench.points.size(), experiment.arm->arm.size())
       .column;
@@ -13,31 +95,7 @@ Eigen::Index columns_of_arm(const Experiment& experiment) {
 
 bool walk_arm(const Experiment& experiment, const Run& run, const Rig& rig,
               const std::vector<Rig>& variations, Trace& trace, const std::vector<Trace*>& beside) {
-  std::size_t sliders = contact_count(rig);
-  for (const Rig& one : variations) sliders = std::max(sliders, contact_count(one));
-  ArmTraveller main(experiment, rig, run, sliders);
-  std::vector<ArmTraveller> others;
-  others.reserve(variations.size());
-  for (const Rig& one : variations) others.emplace_back(experiment, one, run, sliders);
-  Eigen::ArrayXd row = Eigen::ArrayXd::Constant(trace.cols(), std::numeric_limits<double>::quiet_NaN()),
-                 other = row;
-  for (std::size_t r = 0; r < run.readings.size(); ++r) {
-    const auto at = static_cast<Eigen::Index>(r);
-    main.head_for(r);
-    if (!main.settle()) return false;
-    if (!others.empty()) main.prepare();
-    main.write(row);
-    trace.row(at) = row.transpose();
-    for (std::size_t p = 0; p < others.size(); ++p) {
-      others[p].head_for(r);
-      if (!others[p].settle_beside(main)) return false;
-      others[p].write(other);
-      beside[p]->row(at) = (other - row).transpose();
-      others[p].remember();
-    }
-    main.remember();
-  }
-  return true;
+  return ArmWalk(experiment, run, rig, variations).walk(trace, beside);
 }
 
 }  // namespace plumbline::diagnose

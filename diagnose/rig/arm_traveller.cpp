@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnose/rig/delayed.hpp"
 #include "diagnose/rig/tube.hpp"
 
 namespace plumbline::diagnose {
@@ -29,7 +28,7 @@ ArmTraveller::ArmTraveller(const Experiment& experiment, const Rig& own, const R
     : experiment_(&experiment),
       run_(&run),
       measured_(run.measured()),
-      behind_(own.command_delay > 0 ? delayed(run, own.command_delay) : std::vector<Reading>{}),
+      command_(run, own.command_delay),
       on_(own, run.rest),
       arm_(on_.rig.arm->arm),
       sliders_(sliders),
@@ -67,8 +66,8 @@ void ArmTraveller::soften() {
     if (yields_by_law(on_.rig, i)) compliance_(joint_[i], joint_[i]) = 0;
 }
 
-void ArmTraveller::head_for(std::size_t number) {
-  const Reading& reading = behind_.empty() ? run_->readings[number] : behind_[number];
+void ArmTraveller::head_for(const Stop& stop) {
+  const Reading& reading = command_.at(stop);
   const ArmRig& rig = *on_.rig.arm;
   const double dt = moved_ ? reading.t - time_ : 0;
   interval_ = moved_ ? time_step(on_, dt) : TimeStep{};
@@ -124,7 +123,7 @@ OnLink<double> ArmTraveller::expanded(OnLink<double> at) const {
 /// The servos know the nominal weight of the arm as it is commanded.
 void ArmTraveller::hold_weight() {
   held_.setZero(target_.size());
-  const double share = on_.rig.arm->compensated;
+  const double share = on_.rig.compensated;
   if (share == 0) return;
   const SerialArm<double>& nominal = experiment_->arm->arm;
   const ArmLoads<double> weight =
@@ -166,6 +165,18 @@ void ArmTraveller::balance(const ArmLoads<double>& at, Vector<double>& residual,
     slope.row(k) = -at.stiffness.row(k) / stiffness;
     slope(k, k) = std::max(slope(k, k) + torque.slope / stiffness, smallest_slope);
   }
+  if (on_.rig.coupling != 0) couple(residual, slope);
+}
+
+/// A joint that yields feels the deflections of those beside it.
+void ArmTraveller::couple(Vector<double>& residual, Matrix<double>& slope) const {
+  const auto feels = [&](std::size_t own, std::size_t beside) {
+    if (!yields_by_law(on_.rig, own)) return;
+    const double share = on_.rig.coupling / on_.rig.stiffness[own];
+    residual(joint_[own]) -= share * (coordinate_(joint_[beside]) - on_.joint[beside].rest);
+    slope(joint_[own], joint_[beside]) -= share;
+  };
+  for (std::size_t i = 0; i + 1 < joint_.size(); ++i) feels(i, i + 1), feels(i + 1, i);
 }
 
 double ArmTraveller::newton_step() {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "diagnose/rig/arm_rig.hpp"
+#include "diagnose/rig/delayed.hpp"
 #include "diagnose/rig/history.hpp"
 #include "diagnose/rig/run_rig.hpp"
 
@@ -17,8 +18,8 @@ class ArmTraveller {
   /// \param sliders  of each joint: as many as any rig beside it has
   ArmTraveller(const Experiment& experiment, const Rig& own, const Run& run, std::size_t sliders);
 
-  /// Commands the joints and loads the arm as a reading says, as late as the drives follow it.
-  void head_for(std::size_t reading);
+  /// Commands the joints and loads the arm as a stop says, as late as the drives follow it.
+  void head_for(const Stop& stop);
   /// Comes to rest there: Newton's method, with contacts of the joints that settle on the way.
   /// \returns false where there is no rest near the command
   bool settle();
@@ -49,6 +50,7 @@ class ArmTraveller {
   [[nodiscard]] ArmLoads<double> loads(const ArmPosture<double>& posture) const;
   /// Residual of all freedoms in their coordinates, and its derivatives.
   void balance(const ArmLoads<double>& at, Vector<double>& residual, Matrix<double>& slope) const;
+  void couple(Vector<double>& residual, Matrix<double>& slope) const;
   /// \returns the length of the longest step
   double newton_step();
   /// The same for an arm on a mount that yields.
@@ -68,7 +70,7 @@ class ArmTraveller {
   const Experiment* experiment_;
   const Run* run_;
   std::vector<Channel> measured_;
-  std::vector<Reading> behind_;  ///< the readings with delayed commands; none without delay
+  LedCommand command_;
   RunRig on_;
   SerialArm<double> arm_;            ///< at its temperature, on its mount as it yields
   double growth_ = 1;                ///< of its lengths

@@ -151,6 +151,27 @@ void find_motion(const Experiment& experiment, CharacteristicScales& size) {
     }
 }
 
+/// Whether all rest angles are multiples of one shape.
+bool led_together(const Experiment& experiment) {
+  std::vector<Eigen::VectorXd> all;
+  const auto keep = [&](const std::vector<double>& rest) {
+    all.emplace_back(Eigen::Map<const Eigen::VectorXd>(rest.data(), static_cast<Eigen::Index>(rest.size())));
+  };
+  for (const Run& run : experiment.runs) {
+    keep(run.rest);
+    for (const Reading& reading : run.readings)
+      if (!reading.rest.empty()) keep(reading.rest);
+  }
+  const auto farthest = std::max_element(all.begin(), all.end(),
+                                         [](const auto& a, const auto& b) { return a.norm() < b.norm(); });
+  if (farthest == all.end() || farthest->isZero(0)) return true;
+  const Eigen::VectorXd shape = farthest->normalized();
+  constexpr double rounding = 1e-3;  // of degrees in tables, over the farthest
+  return std::all_of(all.begin(), all.end(), [&](const Eigen::VectorXd& one) {
+    return (one - one.dot(shape) * shape).norm() <= rounding * farthest->norm();
+  });
+}
+
 /// Typical loads, and how far they turn a joint.
 void find_sizes(const Experiment& experiment, CharacteristicScales& size) {
   const double unit = size.stiffness / size.length;
@@ -182,6 +203,7 @@ CharacteristicScales characteristic_scales(const Experiment& experiment) {
   CharacteristicScales size;
   find_device(experiment, size);
   find_motion(experiment, size);
+  size.led_together = led_together(experiment);
   find_sizes(experiment, size);
   for (const Run& run : experiment.runs) {
     if (!run.readings.empty())

@@ -32,4 +32,14 @@ std::vector<Reading> delayed(const Run& run, double delay) {
   return all;
 }
 
+LedCommand::LedCommand(const Run& run, double delay)
+    : behind_(delay > 0 ? delayed(run, delay) : std::vector<Reading>{}) {}
+
+const Reading& LedCommand::at(const Stop& stop) {
+  if (behind_.empty() || !stop.to) return stop.reading;
+  if (!stop.from || stop.share == 1) return behind_[*stop.to];
+  on_the_way_ = between(behind_[*stop.from], behind_[*stop.to], stop.share);
+  return on_the_way_;
+}
+
 }  // namespace plumbline::diagnose

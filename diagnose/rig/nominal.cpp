@@ -44,6 +44,7 @@ Rig without_effects(const Experiment& experiment) {
   rig.torque_read.resize(n);
   for (const Point<double>& weight : weights(experiment)) rig.weight.emplace_back(weight.x, weight.y);
   rig.weight.resize(n, Vector2::Zero());
+  rig.centre.assign(n, Vector2::Zero());
   if (experiment.arm) rig.arm = ArmRig::nominal(experiment);
   return rig;
 }

@@ -31,8 +31,10 @@ void Rig::add_mass(std::size_t link, double kilograms, const Vector2& gravity) {
 void Rig::add_bar(std::size_t link, double kilograms, const Vector2& gravity) {
   if (arm)
     diagnose::add_mass(arm->arm.links[link], kilograms, arm->arm.far_end(link).translation() / 2);
-  else
+  else if (const double before = weight[link].norm(); kilograms != 0) {
     weight[link] += kilograms * gravity;
+    centre[link] *= before / weight[link].norm();
+  }
 }
 
 void Rig::add_payload(double at_end, const Vector2& down) {
@@ -51,9 +53,12 @@ void Rig::scale_masses(double factor) {
 void Rig::scale_length(std::size_t link, double factor) {
   if (!arm) {
     length[link] *= factor;
+    centre[link].x() *= factor;
     return;
   }
   SerialArm<double>& own = arm->arm;
+  if (const Vector3<double> along = own.far_end(link).translation(); !along.isZero(0))
+    own.links[link].centre += (factor - 1) * along.dot(own.links[link].centre) / along.squaredNorm() * along;
   if (link + 1 < own.size()) {
     own.links[link + 1].frame.translation() *= factor;
     return;

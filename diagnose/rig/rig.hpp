@@ -77,7 +77,8 @@ struct Rig {
   std::vector<double> give;                  ///< a: relative loss of stiffness beyond the knee
   std::vector<double> friction;              ///< tau_c, N m; acts at elastic joints
   std::vector<std::vector<Slider>> sliders;  ///< at elastic joints
-  std::vector<Vector2> weight;               ///< dead weight of each link, at its middle, N
+  std::vector<Vector2> weight;               ///< dead weight of each link, N
+  std::vector<Vector2> centre;               ///< of its mass, from its middle, along it and across, m
   std::vector<Vector2> balance;              ///< torque on it, of the cosine and the sine of its angle, N m
 
   // The drives of the joints, and what reads them.
@@ -86,6 +87,7 @@ struct Rig {
   std::vector<Encoder> encoder;          ///< by which a servo leads it; the angles read are theirs
   std::vector<SensorError> angle_read;   ///< of the angles
   std::vector<SensorError> torque_read;  ///< of the torques of the drives
+  double compensated = 0;  ///< share of the nominal torque of gravity that they hold without yielding
 
   // The chain as a whole.
   double presliding = 0;                                   ///< turn after which dry friction slips, rad
@@ -150,6 +152,7 @@ struct Rig {
   /// Hangs a weight at the end point or the tip, N.
   void add_payload(double weight, const Vector2& down);
   void scale_masses(double factor);
+  /// Stretches a link, and with it where its mass lies.
   void scale_length(std::size_t link, double factor);
   /// Lets all links bend. \param flexibility  1/EI, 1/(N m^2)
   void bend(double flexibility);

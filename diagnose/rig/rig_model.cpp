@@ -214,6 +214,7 @@ void RigModel<Bandwidth>::add_rigid_links(const Vector<double>& angle, const Vec
     const Vector2 carried =
         run.beyond[j] + 0.5 * run.rig.weight[j] + carried_by(*loads_, j, [](double share) { return share; });
     const Piece link = piece(run.rig.length[j], along_[j], force, carried, run.rig.axial);
+    add_off_centre<derivatives>(j, i, along_[j], at);
     at.residual(i) += link.residual;
     at.end_point.x += link.moved.x();
     at.end_point.y += link.moved.y();
@@ -244,6 +245,7 @@ void RigModel<Bandwidth>::add_bending_link(std::size_t j, const Vector<double>& 
       if (b <= a) at.hessian(a - b, first + b) += c;
     }
   }
+  add_off_centre<derivatives>(j, first + 1, unit_vector(angle(first + 1)), at);
   for (std::size_t g = 0; g < 3; ++g) {
     const double s = gauss_place[g];
     const Eigen::Vector3d shape((1 - s) * (1 - 2 * s), 4 * s * (1 - s), s * (2 * s - 1));
@@ -263,6 +265,20 @@ void RigModel<Bandwidth>::add_bending_link(std::size_t j, const Vector<double>& 
       for (Eigen::Index b = 0; b <= a; ++b)
         at.hessian(a - b, first + b) += shape(a) * shape(b) * part.stiffness;
   }
+}
+
+template <int Bandwidth>
+template <bool derivatives>
+void RigModel<Bandwidth>::add_off_centre(std::size_t link, Eigen::Index node, const Vector2& u,
+                                         At& at) const {
+  const Vector2& off = step_->run.rig.centre[link];
+  if (off.isZero(0)) return;
+  const Vector2 n(-u.y(), u.x()), &weight = step_->run.rig.weight[link];
+  at.residual(node) -= weight.dot(off.x() * n - off.y() * u);
+  if constexpr (!derivatives) return;
+  const double lifted = weight.dot(off.x() * u + off.y() * n);
+  at.energy -= lifted;
+  at.hessian(0, node) += lifted;
 }
 
 template <int Bandwidth>

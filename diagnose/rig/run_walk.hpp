@@ -34,7 +34,7 @@ class RunWalk {
         experiment_(experiment),
         before_(run.before_first()),
         layout_(layout),
-        parts_(substeps(run, layout, rig)),
+        parts_(substeps(run, layout.sliders, rig)),
         solver_(layout, std::accumulate(parts_.begin(), parts_.end(), std::size_t{0})),
         main_(experiment, rig, run) {
     beside_.reserve(variations.size());
@@ -46,7 +46,7 @@ class RunWalk {
 
   /// Fills the rows of the run; `sensitivity` holds the difference of each varied rig from the rig.
   bool walk(Trace& trace, const std::vector<Trace*>& sensitivity) {
-    if (before_ && !go_to({*before_, std::nullopt})) return false;
+    if (before_ && !go_to({*before_})) return false;
     if (before_) last_ = &*before_;
     for (std::size_t r = 0; r < run_.readings.size(); ++r) {
       const auto row = static_cast<Eigen::Index>(r);
@@ -184,12 +184,10 @@ class RunWalk {
     const double size = run_.imposed_at(reading).norm();
     if (size != last_size_) growing_ = size > last_size_ ? 1 : -1;
     last_size_ = size;
-    const Reading& led = main_.led_to(stop);
+    const Reading& led = main_.command.at(stop);
     const Imposed& target = main_.impose(run_, led, growing_);
     const Vector2 command = run_.command(reading);
-    const bool ends_alone = reading.rest.empty() && run_.loads.empty();
-    const double way = ends_alone ? (target.value - at_.value).norm() : (command - commanded_).norm(),
-                 share = last_way_ > 0 ? way / last_way_ : 0;
+    const double way = way_to(reading, target, command), share = last_way_ > 0 ? way / last_way_ : 0;
     const auto step_of = [&](Traveller& rig, const Reading& its) {
       if (!its.rest.empty()) rig.turn_to(its.rest);
       rig.expect(share, dt);
@@ -208,7 +206,7 @@ class RunWalk {
     snapped_ = snapped_ || (!crosses && solver_.snapped());
     if (!beside_.empty()) solver_.prepare(step, target, main_.posture);
     for (Traveller& other : beside_) {
-      const Reading& its_own = other.led_to(stop);
+      const Reading& its_own = other.command.at(stop);
       const RigStep its = step_of(other, its_own);
       solver_.neighbour(its, other.impose(run_, its_own, growing_), main_.posture, other.posture);
       other.remember(layout_, its.interval);
@@ -218,9 +216,21 @@ class RunWalk {
     last_way_ = way;
     at_ = target;
     commanded_ = command;
+    last_rest_ = reading.rest;
     last_time_ = reading.t;
     moved_ = true;
     return true;
+  }
+
+  /// How far what is commanded goes in a step: the end, the joints, or either with loads beside it.
+  [[nodiscard]] double way_to(const Reading& reading, const Imposed& target, const Vector2& command) const {
+    if (!run_.loads.empty()) return (command - commanded_).norm();
+    if (reading.rest.empty()) return (target.value - at_.value).norm();
+    if (last_rest_.empty()) return 0;
+    const auto joints = static_cast<Eigen::Index>(reading.rest.size());
+    return (Eigen::Map<const Eigen::VectorXd>(reading.rest.data(), joints) -
+            Eigen::Map<const Eigen::VectorXd>(last_rest_.data(), joints))
+        .norm();
   }
 
   void write(Traveller& rig, std::size_t r, Trace& trace) {
@@ -286,7 +296,8 @@ class RunWalk {
   std::vector<Traveller> beside_;
   Posture last_posture_, guess_;
   Vector2 last_step_ = Vector2::Zero(), commanded_ = Vector2::Zero();
-  double last_way_ = 0;  ///< length of the last step of the command
+  double last_way_ = 0;            ///< length of the last step of the command
+  std::vector<double> last_rest_;  ///< joint angles that it commanded
   Imposed at_{Control::end_point, Vector2::Zero()};
   const Reading* last_ = nullptr;           ///< with a known command
   std::optional<std::size_t> last_number_;  ///< of it; none before the first

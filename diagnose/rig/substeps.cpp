@@ -8,8 +8,8 @@ namespace {
 
 /// Whether slip is followed between readings. A free torque law knows only the history at the readings, and
 /// friction by the speed of the step before would oscillate.
-bool slips_on_the_way(const Layout& layout, const Rig& rig) {
-  const bool slips = layout.sliders > 0 || std::isfinite(rig.yield);
+bool slips_on_the_way(std::size_t sliders, const Rig& rig) {
+  const bool slips = sliders > 0 || std::isfinite(rig.yield);
   return slips && rig.laws.empty() && rig.friction_law.fall == 0;
 }
 
@@ -23,31 +23,50 @@ double most_turned(const Reading& from, const Reading& to) {
   return most;
 }
 
-}  // namespace
+/// Those in which commanded links turn no farther than an angle.
+std::vector<std::size_t> by_turns(const Run& run, const Reading& first) {
+  constexpr double turn = 0.25;  // rad: so that it is not a snap
+  std::vector<std::size_t> all;
+  const Reading* last = &first;
+  for (const Reading& here : run.readings) {
+    all.push_back(static_cast<std::size_t>(std::ceil(std::max(1.0, most_turned(*last, here) / turn))));
+    last = &here;
+  }
+  return all;
+}
 
-std::vector<std::size_t> substeps(const Run& run, const Layout& layout, const Rig& rig) {
-  constexpr double least = 48;  // substeps to the farthest command
-  constexpr double turn =
-      0.25;  // rad: farthest that commanded links turn in a substep, so that it is not a snap
-  std::vector<std::size_t> all(run.readings.size(), 1);
-  const bool slips = slips_on_the_way(layout, rig);
-  if (all.empty() || !(slips || run.commands_joints())) return all;
-  const Reading first = run.before_first().value_or(run.readings.front());
+/// Those in proportion to the way of what leads or loads the end.
+std::vector<std::size_t> by_way(const Run& run, const Reading& first) {
+  constexpr double least = 48;  // to the farthest command
   const Eigen::Vector2d start = run.command(first);
   double farthest = 0;
   for (const Reading& one : run.readings)
     if (const double way = (run.command(one) - start).norm(); std::isfinite(way))
       farthest = std::max(farthest, way);
+  std::vector<std::size_t> all(run.readings.size(), 1);
   const Reading* last = &first;
   for (std::size_t r = 0; r < all.size(); ++r) {
-    const Reading& here = run.readings[r];
-    const double way = (run.command(here) - run.command(*last)).norm();
+    const double way = (run.command(run.readings[r]) - run.command(*last)).norm();
     if (!std::isfinite(way)) continue;
-    const double by_way = slips && farthest > 0 ? least * way / farthest : 0;
-    all[r] = static_cast<std::size_t>(std::ceil(std::max({1.0, by_way, most_turned(*last, here) / turn})));
-    last = &here;
+    if (farthest > 0) all[r] = static_cast<std::size_t>(std::ceil(std::max(1.0, least * way / farthest)));
+    last = &run.readings[r];
   }
   return all;
+}
+
+}  // namespace
+
+std::vector<std::size_t> substeps(const Run& run, std::size_t sliders, const Rig& rig) {
+  if (run.readings.empty()) return {};
+  const Reading first = run.before_first().value_or(run.readings.front());
+  if (run.commands_joints()) return by_turns(run, first);
+  return slips_on_the_way(sliders, rig) ? by_way(run, first)
+                                        : std::vector<std::size_t>(run.readings.size(), 1);
+}
+
+bool remembers(const Rig& rig, std::size_t sliders) {
+  const bool yields = std::any_of(rig.stiffness.begin(), rig.stiffness.end(), [](double k) { return k > 0; });
+  return yields && (sliders > 0 || std::isfinite(rig.yield) || !arm_times(rig).empty());
 }
 
 }  // namespace plumbline::diagnose

@@ -9,7 +9,14 @@
 
 namespace plumbline::diagnose {
 
-/// Number of substeps to each reading from the one before it: one where no joint slips, else in proportion to
-/// the distance, with 48 to the farthest command of the run. Commanded links turn by 0.25 rad in one at most.
-std::vector<std::size_t> substeps(const Run& run, const Layout& layout, const Rig& rig);
+/// Number of substeps to each reading from the one before it. Commanded links turn by 0.25 rad in one at
+/// most. Where an end is led or loaded there is one where no joint slips, else as many as in proportion to
+/// the distance make 48 to the farthest command of the run.
+/// \param sliders  of each joint, in the rig and those beside it
+std::vector<std::size_t> substeps(const Run& run, std::size_t sliders, const Rig& rig);
+
+/// Whether the torque of some joint depends on the way on which it came.
+/// \param sliders  of each joint
+bool remembers(const Rig& rig, std::size_t sliders);
+
 }  // namespace plumbline::diagnose

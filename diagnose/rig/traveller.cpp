@@ -1,8 +1,8 @@
 #include "diagnose/rig/traveller.hpp"
 
 #include <cmath>
+#include <numeric>
 
-#include "diagnose/rig/delayed.hpp"
 #include "diagnose/rig/load_cell.hpp"
 #include "diagnose/rig/substeps.hpp"
 
@@ -10,21 +10,15 @@ namespace plumbline::diagnose {
 
 Traveller::Traveller(const Experiment& experiment, const Rig& rig, const Run& run)
     : on(rig, run.rest),
+      command(run, rig.command_delay),
       unloaded(unloaded_end(experiment, run.rest)),
       memory(run.rest.size()),
-      behind_(rig.command_delay > 0 ? delayed(run, rig.command_delay) : std::vector<Reading>{}),
+      experiment_(&experiment),
       load_history_(experiment.loads, rig.length.size(), rig.moment_arm_error, rig.capstan_friction) {
   for (std::size_t i = 0; i < memory.size(); ++i) {
     memory[i].angle = on.joint[i].rest;
     rest_then_.push_back(on.joint[i].rest);
   }
-}
-
-const Reading& Traveller::led_to(const Stop& stop) {
-  if (behind_.empty() || !stop.to) return stop.reading;
-  if (!stop.from || stop.share == 1) return behind_[*stop.to];
-  on_the_way_ = between(behind_[*stop.from], behind_[*stop.to], stop.share);
-  return on_the_way_;
 }
 
 void Traveller::turn_to(const std::vector<double>& rest) {
@@ -34,7 +28,22 @@ void Traveller::turn_to(const std::vector<double>& rest) {
 
 const Imposed& Traveller::impose(const Run& run, const Reading& reading, double growing) {
   imposed = {run.control, at_end(run, reading, growing), load_history_.next(reading.covariates)};
+  if (on.rig.compensated != 0) hold_weight(run.rest_at(reading), imposed.loads.moment);
   return imposed;
+}
+
+void Traveller::hold_weight(const std::vector<double>& commanded, std::vector<double>& moment) const {
+  moment.resize(commanded.size(), 0);
+  double theta = std::accumulate(commanded.begin(), commanded.end(), 0.0), torque = 0;
+  const Vector2 gravity(experiment_->gravity[0], experiment_->gravity[1]);
+  Vector2 beyond = Vector2::Zero();  // weight of the links beyond
+  for (std::size_t i = commanded.size(); i-- > 0;) {
+    const Vector2 across(-std::sin(theta), std::cos(theta)), own = experiment_->link_mass[i] * gravity;
+    torque += experiment_->link_length[i] * across.dot(beyond + own / 2);
+    moment[i] -= on.rig.compensated * torque;
+    beyond += own;
+    theta -= commanded[i];
+  }
 }
 
 Vector2 Traveller::measure_force(double t, double dt, double direction) {

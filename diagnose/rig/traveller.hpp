@@ -2,28 +2,18 @@
 /// \file
 /// A planar rig under way in one run: its posture, its memory, and what its sensors read.
 
-#include <optional>
 #include <vector>
 
 #include "diagnose/bench/experiment.hpp"
 #include "diagnose/rig/chain_loads.hpp"
+#include "diagnose/rig/delayed.hpp"
 #include "diagnose/rig/rig_solver.hpp"
 
 namespace plumbline::diagnose {
 
-/// A stop on the way: a reading, or a place between two of them, by their numbers.
-struct Stop {
-  const Reading& reading;  ///< as commanded
-  std::optional<std::size_t> from, to = std::nullopt;
-  double share = 1;  ///< of the way between them
-};
-
 class Traveller {
  public:
   Traveller(const Experiment& experiment, const Rig& rig, const Run& run);
-
-  /// The command at a stop, as late as the drives follow it.
-  [[nodiscard]] const Reading& led_to(const Stop& stop);
 
   /// Commands other joint angles.
   void turn_to(const std::vector<double>& rest);
@@ -48,19 +38,21 @@ class Traveller {
   void remember(const Layout& layout, const TimeStep& during);
 
   RunRig on;
+  LedCommand command;
   Vector2 unloaded;                                      ///< end point of the nominal chain at rest
   Imposed imposed{Control::end_point, Vector2::Zero()};  ///< last
   Posture posture;
   std::vector<JointMemory> memory;
 
  private:
+  /// Adds the moments by which servos hold a share of the nominal weight of the chain as it is commanded.
+  void hold_weight(const std::vector<double>& commanded, std::vector<double>& moment) const;
   [[nodiscard]] Vector2 at_end(const Run& run, const Reading& reading, double growing) const;
   Vector2 lagging(const Vector2& now, double dt);
 
-  std::vector<Reading> behind_;  ///< the readings with delayed commands; none without delay
-  Reading on_the_way_{};         ///< between two of them
   Vector2 felt_ = Vector2::Zero(), shown_ = Vector2::Zero();  ///< at the last reading
-  std::vector<double> rest_then_;                             ///< of each joint, likewise
+  const Experiment* experiment_;
+  std::vector<double> rest_then_;  ///< of each joint, likewise
   LoadHistory load_history_;
 };
 

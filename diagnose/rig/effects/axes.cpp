@@ -44,15 +44,6 @@ std::vector<Effect> axis_effects() {
        .possible = in_space,
        .nested = {"link_length"},
        .everywhere = "shifts of axes"},
-      {.id = "link_centre",
-       .words = "a wrong centre of mass of link {}",
-       .at_joint = true,
-       .parameters = some_of(ParameterKind::centre_place, {"d_x", "d_y", "d_z"}),
-       .add = [](const Addition& to) { to.rig.arm->arm.links[to.joint].centre += vector_of(to.value); },
-       .possible =
-           [](const Place& at) {
-             return in_space(at) && at.scales.weighs && loads_show(at) && at.scales.link_mass[at.joint] > 0;
-           }},
       {.id = "mount_tilt",
        .words = "a base that is tilted against gravity",
        .parameters = some_of(ParameterKind::frame_angle, {"r_x", "r_y"}),

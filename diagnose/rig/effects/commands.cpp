@@ -7,17 +7,17 @@
 namespace plumbline::diagnose {
 namespace {
 
-/// An encoder by which the servo leads the joint does not show its own errors; places do.
-bool encoder_hides(const Place& at) {
-  return at.scales.reads_encoders && angles_are_read_beside(at);
-}
-
 bool hides_and_moves(const Place& at) {
   return encoder_hides(at) && moves(at);
 }
 
 bool turns_and_moves(const Place& at) {
   return !at.scales.slides[at.joint] && moves(at);
+}
+
+/// Whether servos lead the joints.
+bool servos_lead(const Place& at) {
+  return std::find(at.scales.moves.begin(), at.scales.moves.end(), true) != at.scales.moves.end();
 }
 
 }  // namespace
@@ -80,9 +80,9 @@ std::vector<Effect> command_effects() {
       {.id = "gravity_compensation",
        .words = "servos that hold a share of the weight without yielding",
        .parameters = one_of(ParameterKind::held_share, "a"),
-       .add = [](const Addition& to) { to.rig.arm->compensated += to.value[0]; },
+       .add = [](const Addition& to) { to.rig.compensated += to.value[0]; },
        .possible =
-           [](const Place& at) { return at.scales.axes == 3 && at.scales.nominal_weight && loads_show(at); }},
+           [](const Place& at) { return servos_lead(at) && at.scales.nominal_weight && loads_show(at); }},
   };
 }
 

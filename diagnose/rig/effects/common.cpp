@@ -118,7 +118,7 @@ std::vector<Effect> common_effects() {
        .add =
            [](const Addition& to) {
              for_each(Which::standing, to, [&](std::size_t i, double a) {
-               (to.scales.reads_encoders ? to.rig.encoder[i].zero : to.rig.rest_error[i]) += a;
+               (encoder_hides({to.scales, i}) ? to.rig.encoder[i].zero : to.rig.rest_error[i]) += a;
              });
            },
        .possible = several_standing,

@@ -313,7 +313,7 @@ std::vector<Effect> memory() {
        .words = "friction of the tendon that sets the rest angles",
        .parameters = one_of(ParameterKind::rope_friction, "mu"),
        .add = [](const Addition& to) { to.rig.capstan += to.value[0]; },
-       .possible = [](const Place& at) { return at.scales.bent_at_rest && is_planar(at); }},
+       .possible = [](const Place& at) { return at.scales.bent_at_rest && at.scales.led_together; }},
   };
 }
 

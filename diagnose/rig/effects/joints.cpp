@@ -16,6 +16,13 @@ bool rubs(const Place& at) {
   return is_elastic(at) || (is_rigid(at) && torque_shows(at) && moves(at));
 }
 
+/// Whether a joint and the next one both yield.
+bool neighbours_yield(const Place& at) {
+  const std::vector<bool>& rigid = at.scales.rigid;
+  return std::adjacent_find(rigid.begin(), rigid.end(), [](bool a, bool b) { return !a && !b; }) !=
+         rigid.end();
+}
+
 InitialGuesses shares_of(double reach, std::initializer_list<double> shares, std::size_t refined) {
   InitialGuesses guesses{{}, refined};
   for (const double share : shares) guesses.points.push_back({share * reach});
@@ -111,7 +118,7 @@ std::vector<Effect> joint_effects() {
        .words = "springs that couple neighbouring joints",
        .parameters = one_of(ParameterKind::coupling_stiffness, "kappa"),
        .add = [](const Addition& to) { to.rig.coupling += to.value[0]; },
-       .possible = [](const Place& at) { return several_joints(at) && is_planar(at); }},
+       .possible = neighbours_yield},
       {.id = "viscoelasticity",
        .words = "springs that relax over time",
        .dissipates = true,

@@ -32,11 +32,11 @@ std::vector<Effect> link_effects() {
        .at_joint = true,
        .parameters = one_of(ParameterKind::length_error, "a"),
        .add = [](const Addition& to) { to.rig.scale_length(to.joint, 1 + to.value[0]); },
-       // The tool beyond the last axis has a place of its own.
+       // A point that is measured on the last link has a place of its own.
        .possible =
            [](const Place& at) {
              return has_links(at) && at.scales.reach[at.joint] > 0 &&
-                    (is_planar(at) || at.joint + 1 < at.scales.link_length.size());
+                    (!points_are_read(at) || at.joint + 1 < at.scales.link_length.size());
            }},
       {.id = "gravity",
        .words = "the weight of the links",
@@ -57,6 +57,21 @@ std::vector<Effect> link_effects() {
            },
        .add = [](const Addition& to) { to.rig.add_mass(to.joint, to.value[0], gravity_in_plane(to)); },
        .possible = [](const Place& at) { return weight_shows(at) && several_joints(at); }},
+      {.id = "link_centre",
+       .words = "a wrong centre of mass of link {}",
+       .at_joint = true,
+       .parameters = [](const Place& at) { return each_axis(ParameterKind::centre_place, "d", at); },
+       .add =
+           [](const Addition& to) {
+             if (to.rig.arm)
+               to.rig.arm->arm.links[to.joint].centre += vector_of(to.value);
+             else
+               to.rig.centre[to.joint] += Vector2(to.value[0], to.value[1]);
+           },
+       .possible =
+           [](const Place& at) {
+             return has_links(at) && weight_shows(at) && at.scales.link_mass[at.joint] > 0;
+           }},
       {.id = "mass_scale",
        .words = "all masses wrong by one factor",
        .parameters = one_of(ParameterKind::mass_error, "a"),

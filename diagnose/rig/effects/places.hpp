@@ -92,4 +92,9 @@ inline bool angles_are_read_beside(const Place& at) {
   return at.scales.measures(Channel::Name::q) && at.scales.kinds_read() > 1;
 }
 
+/// An encoder by which the servo leads the joint does not show its own errors; places do.
+inline bool encoder_hides(const Place& at) {
+  return at.scales.reads_encoders && angles_are_read_beside(at);
+}
+
 }  // namespace plumbline::diagnose

@@ -276,6 +276,58 @@ TEST_CASE("a link that is too heavy is that link in every form") {
   check_forms(planted(two_joints(), cause_of("link_mass", 2), {0.2}), "link_mass(2)");
 }
 
+TEST_CASE("an effect changes the same joint angles in every form") {
+  // The weight of a link that bends or stretches lies evenly along a chain's, and at a point of an arm's. A
+  // chain's joints are read beside their drives, an arm's by the encoders that lead its servos.
+  const std::set<std::string> otherwise{"link_bending", "encoder_ripple"};
+  for (const ServoBench& bench : {one_joint(), two_joints()}) {
+    const std::vector<Form> all = forms({bench, bench.commands, {}});
+    const Study& chain = all[0].study;
+    for (const EffectAt& at : possible_effects(chain)) {
+      if (otherwise.contains(at.effect->id)) continue;
+      std::vector<double> values;
+      for (const ParameterRange& range : chain.ranges(at))
+        values.push_back(range.coordinate == Coordinate::logarithm ? (range.low + range.high) / 2
+                                                                   : range.scale);
+      const Prediction first = predict(chain, {{at}}, values);
+      REQUIRE(first.reached);
+      for (const Form& form : all) {
+        const std::vector<EffectAt> its = possible_effects(form.study);
+        if (std::find(its.begin(), its.end(), at) == its.end()) continue;
+        if (form.study.ranges(at).size() != values.size()) continue;  // places of axes for lengths
+        CAPTURE(at.name());
+        CAPTURE(form.name);
+        const Prediction other = predict(form.study, {{at}}, values);
+        REQUIRE(other.reached);
+        for (std::size_t j = 0; j < bench.joints(); ++j) {
+          const Channel there(Channel::Name::q, j),
+              here = form.study.experiment().has_links() ? there
+                                                         : form.study.experiment().runs[0].answering()[0];
+          // Newton's method stops where rounding does; sticking contacts are solved to ten digits
+          CHECK((first.runs[0].col(there.column) - other.runs[0].col(here.column)).abs().maxCoeff() < 1e-9);
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("the same effects are possible in every form, but for those of space") {
+  const std::vector<Form> all = forms({two_joints(), two_joints().commands, {}});
+  const auto ids = [](const Study& study) {
+    std::set<std::string> labels;
+    for (const EffectAt& at : possible_effects(study)) labels.insert(at.label());
+    return labels;
+  };
+  const std::set<std::string> chain = ids(all[0].study), arm = ids(all[1].study);
+  std::vector<std::string> of_the_chain, of_the_arm;
+  std::set_difference(chain.begin(), chain.end(), arm.begin(), arm.end(), std::back_inserter(of_the_chain));
+  std::set_difference(arm.begin(), arm.end(), chain.begin(), chain.end(), std::back_inserter(of_the_arm));
+  CHECK(of_the_chain == std::vector<std::string>{"axial_compliance"});
+  CHECK(of_the_arm == std::vector<std::string>{"axis_shift(1)", "axis_shift(2)", "axis_tilt(1)",
+                                               "axis_tilt(2)", "link_bending(1)", "link_bending(2)",
+                                               "mount_tilt"});
+}
+
 TEST_CASE("each effect of two joints that hold their weight gets one verdict in every form" *
           doctest::test_suite("long")) {
   const ServoBench bench = two_joints();
@@ -284,7 +336,8 @@ TEST_CASE("each effect of two joints that hold their weight gets one verdict in 
     if (at.effect->orders || at.effect->is_tolerance) continue;
     std::vector<double> values;
     for (const ParameterRange& range : ideal.ranges(at))
-      values.push_back(range.may_be_nothing() ? 2 * range.scale : range.low + 0.5 * (range.high - range.low));
+      values.push_back(range.coordinate == Coordinate::logarithm ? (range.low + range.high) / 2
+                                                                 : 2 * range.scale);
     CAPTURE(at.name());
     const Planted made = planted(bench, {{at}}, values);
     check_forms(made, "");

@@ -199,7 +199,7 @@ TEST_CASE("a run whose tendon is pulled and let out turns back, and slips are fo
   CHECK(size.deflection == close_to(0.12 / 0.3));
   const Rig rig = nominal_rig(experiment);
   // A quarter of 48, and one more where rounding makes it a little more.
-  const std::vector<std::size_t> parts = substeps(run, {3, false, false, 1}, rig);
+  const std::vector<std::size_t> parts = substeps(run, 1, rig);
   CHECK(parts[0] == 1);
   for (std::size_t i = 1; i < parts.size(); ++i) CHECK((parts[i] == 12 || parts[i] == 13));
   CHECK(regimes(run, trace_of(experiment))[6] == Regime::unloading);

@@ -116,6 +116,56 @@ TEST_CASE(
                    experiment.runs[0].readings[static_cast<std::size_t>(i)].rest[0]) < as_near);
 }
 
+namespace {
+
+/// Two links that hold their weight in three poses.
+Experiment heavy_links() {
+  Experiment experiment;
+  experiment.name = "two servos";
+  experiment.link_length = {0.4, 0.3};
+  experiment.joint_stiffness = {20, 9};
+  experiment.link_mass = {0.7, 0.5};
+  experiment.gravity = {0, -9.81};
+  experiment.noise[Channel::Name::q] = 1e-3;
+  experiment.runs = {commanded_run({{0.2, 0.3}, {0.9, -0.6}, {-0.4, 1.1}})};
+  return experiment;
+}
+
+}  // namespace
+
+TEST_CASE("servos that hold the whole weight stand where they are sent") {
+  const Experiment experiment = heavy_links();
+  Rig rig = nominal_rig(experiment);
+  rig.compensated = 1;
+  const Prediction held = simulate(experiment, rig, {});
+  REQUIRE(held.reached);
+  for (Eigen::Index r = 0; r < 3; ++r)
+    for (Eigen::Index j = 0; j < 2; ++j)
+      CHECK(std::abs(
+                held.runs[0](r, column_q + j) -
+                experiment.runs[0].readings[static_cast<std::size_t>(r)].rest[static_cast<std::size_t>(j)]) <
+            as_near);
+}
+
+TEST_CASE("a centre of mass off the middle of a link turns its joint by its moment") {
+  const Experiment experiment = heavy_links();
+  const Vector2 off(0.03, -0.02);
+  for (const double flexibility : {0.0, 1e-9}) {  // a link that hardly bends is a rigid one
+    Rig rig = nominal_rig(experiment);
+    rig.centre[1] = off;
+    rig.flexibility = flexibility;
+    const Prediction moved = simulate(experiment, rig, {});
+    REQUIRE(moved.reached);
+    for (Eigen::Index r = 0; r < 3; ++r) {
+      const auto& rest = experiment.runs[0].readings[static_cast<std::size_t>(r)].rest;
+      const double q1 = moved.runs[0](r, column_q), q2 = moved.runs[0](r, column_q + 1), theta = q1 + q2;
+      // k (q - rest) is the moment of the weight about joint 2
+      const double arm = (0.15 + off.x()) * std::cos(theta) - off.y() * std::sin(theta);
+      CHECK(9 * (q2 - rest[1]) == doctest::Approx(-0.5 * 9.81 * arm).epsilon(1e-6));
+    }
+  }
+}
+
 TEST_CASE("sensitivities along a sweep are those of two rigs") {
   const Experiment experiment = swept_joint();
   Rig rig = nominal_rig(experiment), other = rig;

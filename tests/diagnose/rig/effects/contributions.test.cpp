@@ -20,6 +20,7 @@ TEST_CASE("effects of one kind add up; the contribution of each to the rig, by h
     rig.rest_error = rig.backlash = rig.stop = rig.stop_stiffness = rig.hardening = rig.asymmetry = rig.knee =
         rig.give = rig.friction = {1, 2, 3};
     rig.weight.assign(3, Vector2(0.1, 0.2));
+    rig.centre.assign(3, Vector2::Zero());
     rig.sliders.resize(3);
     for (int twice = 0; twice < 2; ++twice)
       row.add({rig, joint > 0 ? joint - 1 : 0, size, Vector2(0.6, -0.8), value.data()});
@@ -56,6 +57,8 @@ TEST_CASE("effects of one kind add up; the contribution of each to the rig, by h
   check_values(with("piecewise_spring", 2, {0.1, 0.5}).knee, {1, 0.1, 3});
   check_values(with("piecewise_spring", 2, {0.1, 0.5}).give, {1, 0.5, 3});
   CHECK(with("joint_coupling", 0, {0.25}).coupling == 0.5);
+  CHECK(with("link_centre", 2, {0.25, -1}).centre[1] == Vector2(0.5, -2));
+  CHECK(with("gravity_compensation", 0, {0.25}).compensated == 0.5);
   CHECK(with("viscoelasticity", 0, {0.25, 9}).arms == std::vector<Arm>{{0.25, 9}, {0.25, 9}});
   CHECK(with("relaxation_spectrum", 0, {1, 2, 3, 4}).arms ==
         std::vector<Arm>{{1, 2}, {3, 4}, {1, 2}, {3, 4}});

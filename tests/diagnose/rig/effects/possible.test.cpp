@@ -58,6 +58,11 @@ TEST_CASE("an effect is possible where the bench meets each of its conditions") 
       {"relaxation_spectrum", [](CharacteristicScales& s) { s.duration = 20 * s.sampling_interval; }},
       {"plastic_set", no_turn},
       {"tendon_friction", [](CharacteristicScales& s) { s.bent_at_rest = false; }},
+      {"tendon_friction", [](CharacteristicScales& s) { s.led_together = false; }},
+      {"gravity_compensation",
+       [](CharacteristicScales& s) {
+         s.moves = {false, false, false};
+       }},
       {"load_friction", no_turn},
       {"direction_friction", no_turn},
       {"speed_friction", no_turn},
