@@ -112,14 +112,13 @@ def section(name, heading, said, divided):
 
 def others():
     """Every schema without a section."""
-    yield "\n## Other formats\n\nTheir schemas say every key. Keys may be added, and those there keep their meaning.\n\n"
-    for path in sorted((HERE / "schemas").glob("*.schema.json")):
-        name = path.name.split(".")[0]
-        if name not in (one[0] for one in FORMATS):
-            yield f"- [{name}](schemas/{path.name}): {json.loads(path.read_text(encoding='utf-8'))['title']}\n"
+    names = [path.name.split(".")[0] for path in sorted((HERE / "schemas").glob("*.schema.json"))]
+    links = [f"[{name}](schemas/{name}.schema.json)" for name in names if name not in (one[0] for one in FORMATS)]
+    return ("\n## Other formats\n\nTheir schemas say what they are, and every key. Keys may be added, and those there keep their meaning.\n\n"
+            + textwrap.fill(", ".join(links), 150, break_long_words=False, break_on_hyphens=False) + "\n")
 
 
-text = HEAD + "".join([*(section(*one) for one in FORMATS), *channels(), *units(), *others()])
+text = HEAD + "".join([*(section(*one) for one in FORMATS), *channels(), *units(), others()])
 if "--check" not in sys.argv:
     TARGET.write_text(text, encoding="utf-8")
 elif TARGET.read_text(encoding="utf-8") != text:

@@ -36,7 +36,7 @@ struct Document {
 };
 
 Document read_document() {
-  static const std::regex effect(R"(\| `(\w+)(\(j\))?` \| ([^`|]+) \|[^|]*\|[^|]*\|)");
+  static const std::regex effect(R"(\| `(\w+)(\(j\))?` \| ([^`|]+) \|[^|]*\|)");
   static const std::regex parameter(
       R"(\| (`\w+(\(j\))?`(, [\w ]+)?)? \| `(\w+)` \| ([^|]*) \| ([^|]*) \| ([^|]*) \|)");
   static const std::regex pair(R"(\| `(\w+)` \| `(\w+)` \| [^|]* \|)");
