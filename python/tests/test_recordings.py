@@ -8,7 +8,6 @@ import pytest
 
 import plumbline
 from plumbline.converted_tables import is_converted
-from plumbline.program import run
 
 JOINT_STATE = """std_msgs/Header header
 string[] name
@@ -200,7 +199,8 @@ load = { mass = 0.5, length = 0.12 }
 drive = { stall_torque = 0.3, back_emf = 0.25, armature = 0.006, encoder_zero = 0.01, joint_friction = 0.06, viscous_friction = 0.03 }
 noise = { position = 0.0006 }
 """)
-    assert "Identified: a delay between command and motion" in run("diagnose", tmp_path)
+    found = plumbline.diagnose_logs(tmp_path)
+    assert [one["effect"] for one in found["causes"][0]["effects"]] == ["command_delay"]
 
 
 def test_what_is_no_dataset_is_refused_in_one_line(tmp_path: pathlib.Path) -> None:
