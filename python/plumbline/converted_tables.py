@@ -14,10 +14,10 @@ from plumbline.spreadsheets import is_workbook, sheet_as_csv, sheet_names
 
 
 def is_converted(word: str) -> bool:
-    """Whether a word of the command is a workbook, an MCAP file, or the folder of a bag or of a LeRobot dataset."""
+    """Whether a word of the command is a workbook, a bag of ROS 2, or the folder of a LeRobot dataset."""
     path = pathlib.Path(word)
-    return (is_workbook(path) or path.suffix.lower() == ".mcap" or (path / "meta" / "info.json").is_file()
-            or any(path.glob("*.mcap")))
+    return (is_workbook(path) or path.suffix.lower() in (".mcap", ".db3") or (path / "meta" / "info.json").is_file()
+            or any(path.glob("*.mcap")) or any(path.glob("*.db3")))
 
 
 def new(words: Sequence[str]) -> int:

@@ -1,4 +1,4 @@
-"""Recordings of a robot's joints as tables: MCAP of ROS 2, and datasets of LeRobot."""
+"""Recordings of a robot's joints as tables: bags of ROS 2, and datasets of LeRobot."""
 from __future__ import annotations
 
 import json
@@ -11,8 +11,10 @@ from typing import TYPE_CHECKING, Any, BinaryIO, NamedTuple
 
 import numpy as np
 
+from plumbline import sqlite_bags
 from plumbline._engine import Error
 from plumbline.numbers import Floats
+from plumbline.sqlite_bags import JointState
 
 if TYPE_CHECKING:
     import pandas
@@ -34,11 +36,11 @@ def read_recording(file: str | os.PathLike[str], *, topic: str = "/joint_states"
     """The joint states of a recording by the name of each run, as `draft` takes them: `t` in seconds from the first, `q NAME`
     for each joint, and `q NAME cmd` where commands are known.
 
-    :param file: an MCAP file of ROS 2 or the folder of such a bag, one run; or the folder of a LeRobot dataset, a run an
-        episode, whose actions are the commands. LeRobot's values are in the unit of its robot: degrees, as a rule; values
-        that were normalised to -100 … 100 are no angles
-    :param topic: of MCAP: messages sensor_msgs/msg/JointState
-    :param commands: of MCAP: such messages too; each state has the last command before it
+    :param file: a bag of ROS 2, one run: a file (.mcap or .db3) or the folder of several; or the folder of a LeRobot dataset,
+        a run an episode, whose actions are the commands. LeRobot's values are in the unit of its robot: degrees, as a rule;
+        values that were normalised to -100 … 100 are no angles
+    :param topic: of a bag: messages sensor_msgs/msg/JointState
+    :param commands: of a bag: such messages too; each state has the last command before it
     :raises Error: where nothing of that kind is in the file, or a package that reads it is not installed
     """
     return {name: _frame(run.time, {f"q {joint}{ending}": values
@@ -57,7 +59,7 @@ def read_logs(file: str | os.PathLike[str], joints: Sequence[str] | None = None,
         delays are known to the time between states
     :param joints: these alone; default all
     :param unit: of the recording's angles, "rad" or "deg"
-    :param topic: of MCAP, as of `read_recording`
+    :param topic: of a bag, as of `read_recording`
     :param commands: likewise
     :raises Error: as `read_recording`, and where a joint, a clock, or any whole reading is absent
     """
@@ -95,10 +97,10 @@ def _runs(place: pathlib.Path, topic: str, commands: str | None) -> dict[str, _R
         return {place.stem: _recorded([place], topic, commands)}
     if (place / "meta" / "info.json").is_file():
         return _episodes(place)
-    if parts := sorted(place.glob("*.mcap")):
+    if parts := sorted(place.glob("*.mcap")) or sorted(place.glob("*.db3")):
         return {place.name: _recorded(parts, topic, commands)}
-    found = "no MCAP file and no meta/info.json" if place.is_dir() else "no such file"
-    raise Error(f"{place}: found {found}, expected an MCAP file, the folder of a bag or of a LeRobot dataset")
+    found = "no .mcap, no .db3 and no meta/info.json" if place.is_dir() else "no such file"
+    raise Error(f"{place}: found {found}, expected a bag of ROS 2 or the folder of a LeRobot dataset")
 
 
 class _State(NamedTuple):
@@ -110,7 +112,7 @@ class _State(NamedTuple):
 
 
 def _recorded(files: Sequence[pathlib.Path], topic: str, commands: str | None) -> _Run:
-    """The run that the MCAP files hold together."""
+    """The run that the files of a bag hold together."""
     states = _joint_states(files, topic)
     sent = _joint_states(files, commands) if commands else []
     stamped = all(state.stamped > 0 for state in [*states, *sent])  # two clocks do not tell which came first
@@ -134,27 +136,33 @@ def _by_joint(rows: Sequence[Mapping[str, float]]) -> dict[str, Floats]:
 
 
 def _joint_states(files: Sequence[pathlib.Path], topic: str) -> list[_State]:
-    states = []
-    for file in files:
-        try:
-            for schema, _, message, state in _messages(file, topic):
-                if schema.name not in ("sensor_msgs/msg/JointState", "sensor_msgs/JointState"):
-                    raise Error(f"{file}: found {schema.name} on {topic}, expected sensor_msgs/msg/JointState")
-                stamp = state.header.stamp
-                states.append(_State(stamp.sec + 1e-9 * stamp.nanosec, 1e-9 * message.log_time, {
-                    "position": dict(zip(state.name, state.position)), "velocity": dict(zip(state.name, state.velocity)),
-                    "torque": dict(zip(state.name, state.effort))}))
-        except Error:
-            raise
-        except Exception as error:  # the reader lets those of struct, zstandard and its own through
-            raise Error(f"{file}: found {type(error).__name__} where it is read, expected an MCAP file of ROS 2") from None
+    states = [_State(message.stamp, recorded, {"position": dict(zip(message.name, message.position)),
+                                               "velocity": dict(zip(message.name, message.velocity)),
+                                               "torque": dict(zip(message.name, message.effort))})
+              for file in files
+              for recorded, message in (sqlite_bags.joint_states if file.suffix == ".db3" else _mcap_joint_states)(file, topic)]
     if not states:
-        topics = sorted({one for file in files for one in _topics(file)})
+        topics = sorted({one for file in files for one in (sqlite_bags.topics if file.suffix == ".db3" else _mcap_topics)(file)})
         raise Error(f"{files[0]}: found no message on {topic}, expected one of {', '.join(topics) or 'no topic'}")
     return states
 
 
-def _reader(file: pathlib.Path, recording: BinaryIO) -> Any:
+def _mcap_joint_states(file: pathlib.Path, topic: str) -> Iterator[tuple[float, JointState]]:
+    try:
+        with open(file, "rb") as recording:
+            for schema, _, message, state in _mcap_reader(file, recording).iter_decoded_messages(topics=[topic]):
+                if schema.name not in sqlite_bags.JOINT_STATE:
+                    raise Error(f"{file}: found {schema.name} on {topic}, expected {sqlite_bags.JOINT_STATE[0]}")
+                stamp = state.header.stamp
+                yield 1e-9 * message.log_time, JointState(stamp.sec + 1e-9 * stamp.nanosec, state.name, state.position,
+                                                          state.velocity, state.effort)
+    except Error:
+        raise
+    except Exception as error:  # the reader lets those of struct, zstandard and its own through
+        raise Error(f"{file}: found {type(error).__name__} where it is read, expected an MCAP file of ROS 2") from None
+
+
+def _mcap_reader(file: pathlib.Path, recording: BinaryIO) -> Any:
     try:
         from mcap.reader import make_reader
         from mcap_ros2.decoder import DecoderFactory
@@ -163,15 +171,9 @@ def _reader(file: pathlib.Path, recording: BinaryIO) -> Any:
     return make_reader(recording, decoder_factories=[DecoderFactory()])
 
 
-def _messages(file: pathlib.Path, topic: str) -> Iterator[Any]:
-    """Schema, channel, message as it was recorded, and decoded; in the order of time."""
+def _mcap_topics(file: pathlib.Path) -> set[str]:
     with open(file, "rb") as recording:
-        yield from _reader(file, recording).iter_decoded_messages(topics=[topic])
-
-
-def _topics(file: pathlib.Path) -> set[str]:
-    with open(file, "rb") as recording:
-        return {channel.topic for _, channel, _ in _reader(file, recording).iter_messages()}
+        return {channel.topic for _, channel, _ in _mcap_reader(file, recording).iter_messages()}
 
 
 def _episodes(folder: pathlib.Path) -> dict[str, _Run]:

@@ -1,6 +1,8 @@
-"""MCAP recordings and LeRobot datasets, written with the libraries that read them."""
+"""Bags of ROS 2 and LeRobot datasets, written with the libraries that read them or by their definition."""
 import json
 import pathlib
+import sqlite3
+import struct
 from typing import Any
 
 import numpy as np
@@ -111,7 +113,7 @@ def test_episodes_of_a_dataset_are_runs(tmp_path: pathlib.Path, names: Any) -> N
 
 def test_a_folder_that_is_no_dataset_is_refused_in_one_line(tmp_path: pathlib.Path) -> None:
     pytest.importorskip("pyarrow")
-    with pytest.raises(plumbline.Error, match="no MCAP file and no meta/info.json"):
+    with pytest.raises(plumbline.Error, match="no .mcap, no .db3 and no meta/info.json"):
         plumbline.read_recording(tmp_path)
     (tmp_path / "meta").mkdir()
     (tmp_path / "meta" / "info.json").write_text("{}")
@@ -133,6 +135,56 @@ def test_a_bag_of_several_files_is_one_run(tmp_path: pathlib.Path) -> None:
     assert list(table.t) == list(range(12))
     assert list(table["q shoulder"]) == [0] * 4 + [1] * 4 + [2] * 4
     assert is_converted(str(tmp_path / "bag")) and not is_converted(str(tmp_path))
+
+
+def in_sqlite(file: pathlib.Path, messages: list[tuple[str, int, bytes]], kind: str = "sensor_msgs/msg/JointState") -> pathlib.Path:
+    """A bag with what ROS 2 writes of messages: topic, nanoseconds, CDR."""
+    bag = sqlite3.connect(file)
+    bag.execute("CREATE TABLE topics(id INTEGER PRIMARY KEY, name TEXT, type TEXT, serialization_format TEXT)")
+    bag.execute("CREATE TABLE messages(id INTEGER PRIMARY KEY, topic_id INTEGER, timestamp INTEGER, data BLOB)")
+    names = sorted({topic for topic, _, _ in messages})
+    bag.executemany("INSERT INTO topics VALUES (?, ?, ?, 'cdr')", [(at, name, kind) for at, name in enumerate(names, 1)])
+    bag.executemany("INSERT INTO messages(topic_id, timestamp, data) VALUES (?, ?, ?)",
+                    [(1 + names.index(topic), time, data) for topic, time, data in messages])
+    bag.commit()
+    bag.close()
+    return file
+
+
+@pytest.mark.parametrize("order", "<>")
+def test_a_message_in_sqlite_is_read_by_the_rules_of_cdr(tmp_path: pathlib.Path, order: str) -> None:
+    """Numbers are aligned to their size behind a head of four bytes that tells their order; texts end with a zero."""
+    message = bytes([0, order == "<", 0, 0]) + struct.pack(f"{order}iI I1sxxx I I2sxx I6sxx I4x2d I Id", 1000, 500_000_000, 1, b"", 2,
+                                                           2, b"a", 6, b"elbow", 2, 0.5, -1.0, 0, 1, 7.0)
+    (folder := tmp_path / "bag").mkdir()
+    in_sqlite(folder / "bag_0.db3", [("/joint_states", 5, message)] * 2)
+    log = plumbline.read_logs(folder)["bag"]
+    assert {name: list(log[name]) for name in log} == {"t": [0], "position a": [0.5], "torque a": [7], "position elbow": [-1]}
+    assert is_converted(str(folder))
+
+
+def test_bags_in_sqlite_and_in_mcap_hold_the_same(tmp_path: pathlib.Path) -> None:
+    file = recorded(tmp_path / "sweep.mcap")
+    from mcap.reader import make_reader
+    with open(file, "rb") as recording:
+        messages = [(channel.topic, message.log_time, message.data) for _, channel, message in make_reader(recording).iter_messages()]
+    (folder := tmp_path / "sqlite").mkdir()
+    bag = in_sqlite(folder / "sweep.db3", messages)
+    tables = [plumbline.read_recording(one, commands="/joint_commands")["sweep"] for one in (file, bag)]
+    assert tables[0].equals(tables[1])
+
+
+def test_what_is_no_bag_in_sqlite_is_refused_in_one_line(tmp_path: pathlib.Path) -> None:
+    other = in_sqlite(tmp_path / "other.db3", [("/tf", 1, b"")], "tf2_msgs/msg/TFMessage")
+    with pytest.raises(plumbline.Error, match="found tf2_msgs/msg/TFMessage on /tf, expected sensor_msgs/msg/JointState"):
+        plumbline.read_recording(other, topic="/tf")
+    with pytest.raises(plumbline.Error, match="no message on /joint_states, expected one of /tf"):
+        plumbline.read_recording(other)
+    (tmp_path / "text.db3").write_text("none")
+    for bad in (in_sqlite(tmp_path / "short.db3", [("/joint_states", 1, bytes(9))]), tmp_path / "text.db3"):
+        with pytest.raises(plumbline.Error, match="where it is read, expected a bag of ROS 2 in SQLite") as refused:
+            plumbline.read_recording(bad)
+        assert "\n" not in str(refused.value)
 
 
 def test_without_stamps_the_times_of_recording_order_states_and_commands(tmp_path: pathlib.Path) -> None:
