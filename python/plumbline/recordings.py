@@ -97,9 +97,12 @@ def _runs(place: pathlib.Path, topic: str, commands: str | None) -> dict[str, _R
         return {place.stem: _recorded([place], topic, commands)}
     if (place / "meta" / "info.json").is_file():
         return _episodes(place)
-    if parts := sorted(place.glob("*.mcap")) or sorted(place.glob("*.db3")):
+    if (place / "metadata.yaml").is_file():
+        parts = sorted(place.glob("*.mcap")) or sorted(place.glob("*.db3"))
+        if not parts:
+            raise Error(f"{place}: found metadata.yaml alone, expected .mcap or .db3 beside it")
         return {place.name: _recorded(parts, topic, commands)}
-    found = "no .mcap, no .db3 and no meta/info.json" if place.is_dir() else "no such file"
+    found = "no metadata.yaml and no meta/info.json" if place.is_dir() else "no such file"
     raise Error(f"{place}: found {found}, expected a bag of ROS 2 or the folder of a LeRobot dataset")
 
 

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import plumbline
-from plumbline.converted_tables import is_converted
+from plumbline.converted_tables import is_converted, new
 
 JOINT_STATE = """std_msgs/Header header
 string[] name
@@ -113,7 +113,7 @@ def test_episodes_of_a_dataset_are_runs(tmp_path: pathlib.Path, names: Any) -> N
 
 def test_a_folder_that_is_no_dataset_is_refused_in_one_line(tmp_path: pathlib.Path) -> None:
     pytest.importorskip("pyarrow")
-    with pytest.raises(plumbline.Error, match="no .mcap, no .db3 and no meta/info.json"):
+    with pytest.raises(plumbline.Error, match="no metadata.yaml and no meta/info.json"):
         plumbline.read_recording(tmp_path)
     (tmp_path / "meta").mkdir()
     (tmp_path / "meta" / "info.json").write_text("{}")
@@ -129,6 +129,7 @@ def test_a_dataset_becomes_an_experiment_of_commanded_joints(arm: pathlib.Path, 
 
 def test_a_bag_of_several_files_is_one_run(tmp_path: pathlib.Path) -> None:
     (tmp_path / "bag").mkdir()
+    (tmp_path / "bag" / "metadata.yaml").touch()
     for part in range(3):
         written(tmp_path / "bag" / f"bag_{part}.mcap", [("/joint_states", 4 * part + i, {"position": [part, i]}) for i in range(4)])
     table = plumbline.read_recording(tmp_path / "bag")["bag"]
@@ -157,10 +158,28 @@ def test_a_message_in_sqlite_is_read_by_the_rules_of_cdr(tmp_path: pathlib.Path,
     message = bytes([0, order == "<", 0, 0]) + struct.pack(f"{order}iI I1sxxx I I2sxx I6sxx I4x2d I Id", 1000, 500_000_000, 1, b"", 2,
                                                            2, b"a", 6, b"elbow", 2, 0.5, -1.0, 0, 1, 7.0)
     (folder := tmp_path / "bag").mkdir()
+    (folder / "metadata.yaml").touch()
+    with pytest.raises(plumbline.Error, match="found metadata.yaml alone, expected .mcap or .db3"):
+        plumbline.read_logs(folder)
     in_sqlite(folder / "bag_0.db3", [("/joint_states", 5, message)] * 2)
     log = plumbline.read_logs(folder)["bag"]
     assert {name: list(log[name]) for name in log} == {"t": [0], "position a": [0.5], "torque a": [7], "position elbow": [-1]}
     assert is_converted(str(folder))
+
+
+def test_the_command_takes_a_bag_and_the_topic_of_its_commands(arm: pathlib.Path, tmp_path: pathlib.Path,
+                                                                capfd: pytest.CaptureFixture[str]) -> None:
+    def state(time: float, angles: np.ndarray) -> bytes:
+        return bytes([0, 1, 0, 0]) + struct.pack("<iI I1sxxx I I9sxxx I6sxx I4x2d I I", int(time), round(1e9 * (time % 1)), 1, b"", 2, 9, b"shoulder",
+                                                 6, b"elbow", 2, *angles, 0, 0)
+
+    bag = in_sqlite(tmp_path / "sweep.db3", [message for time, sent, reached in zip(*swept())
+                                             for message in (("/cmd", round(1e9 * time), state(1 + time, sent)),
+                                                             ("/joint_states", round(1e9 * time), state(1 + time, reached)))])
+    assert new([str(tmp_path / "lab"), str(bag), "--commands", "/cmd", "--model", str(arm)]) in (0, 1)
+    assert "the joints' commands are imposed, 40 readings" in plumbline.check_experiment(tmp_path / "lab")
+    assert new([str(tmp_path / "lab"), str(bag), "--commands"]) == 2
+    assert "--commands: found no name, expected one" in capfd.readouterr().err
 
 
 def test_bags_in_sqlite_and_in_mcap_hold_the_same(tmp_path: pathlib.Path) -> None:
