@@ -21,13 +21,12 @@ Written by `docs/reference.py` out of the [schemas](schemas), which editors show
 SI units and radians; joints, links, tables count from 1, readings of a run from 0. An effect is written `id`, or `id(j)` at joint or link j
 ([catalogue](effects.md)).
 """
-# (schema, heading, what it is, words behind the headings of its tables; False: they have none; None: the tables alone)
+# (schema, heading, what it is, words behind the headings of its tables; False: they have none)
 FORMATS = [
     ("experiment", "experiment.toml", "Makes a folder an [experiment](experiment-format.md).", ""),
     ("arm-experiment", "experiment.toml of an arm", "Beside the keys above, for an [arm in space](arms.md).", False),
     ("motion-experiment", "experiment.toml of a joint in motion", "For [logs of a joint](motion.md).", " of logs"),
     ("user-effects", "Effects of your own", "The file of `--effects` ([how](user-effects.md)).", False),
-    ("gap-diagnosis", "The report", "The parts of what `plumbline diagnose FOLDER --json` writes, and of the page of `--html` (`data-key`); the schema has their keys.", None),
 ]
 
 
@@ -73,12 +72,12 @@ class Schema:
         return {key: one for key, one in inner.items() if not named or any(isinstance(value, str) for value in one.get("enum", []))}
 
 
-def entries(schema, members, required, deep=True, depth=0):
+def entries(schema, members, required, depth=0):
     """A line for each key, and below it those of its own table; keys of one meaning share a line."""
     names = {}
     for key, node in members.items():
         words = schema.words(node)
-        inner = "".join(entries(schema, schema.keys(node, words), (), depth=depth + 1)) if deep else ""
+        inner = "".join(entries(schema, schema.keys(node, words), (), depth=depth + 1))
         names.setdefault((words, inner), []).append(f"**`{key}`**" if key in required else f"`{key}`")
     for (words, inner), keys in names.items():
         yield textwrap.fill("- " + ", ".join(keys) + (f": {words}" if words else ""), 150, initial_indent="  " * depth,
@@ -92,11 +91,10 @@ def sentence(words):
 def section(name, heading, said, divided):
     """A format's keys."""
     schema = Schema(name)
-    deep = divided is not None
 
     def listed(node, whatever=False):
         members = {key: one for key, one in schema.members(node, whatever).items() if node is not schema.root or key not in tables}
-        return "".join(entries(schema, members, schema.resolved(node, whatever).get("required", []) if deep else (), deep))
+        return "".join(entries(schema, members, schema.resolved(node, whatever).get("required", [])))
 
     tables = [key for key, node in schema.members(schema.root).items() if isinstance(divided, str) and schema.members(node, whatever=True)]
     text = f"\n## {heading}\n\n{said} [schemas/{name}.schema.json](schemas/{name}.schema.json)\n\n" + listed(schema.root)
@@ -112,14 +110,13 @@ def section(name, heading, said, divided):
 
 def others():
     """Every schema without a section."""
-    yield "\n## Other formats\n\nTheir schemas say every key. Keys may be added, and those there keep their meaning.\n\n"
-    for path in sorted((HERE / "schemas").glob("*.schema.json")):
-        name = path.name.split(".")[0]
-        if name not in (one[0] for one in FORMATS):
-            yield f"- [{name}](schemas/{path.name}): {json.loads(path.read_text(encoding='utf-8'))['title']}\n"
+    names = [path.name.split(".")[0] for path in sorted((HERE / "schemas").glob("*.schema.json"))]
+    links = [f"[{name}](schemas/{name}.schema.json)" for name in names if name not in (one[0] for one in FORMATS)]
+    return ("\n## Other formats\n\nTheir schemas say what they are, and every key. Keys may be added, and those there keep their meaning.\n\n"
+            + textwrap.fill(", ".join(links), 150, break_long_words=False, break_on_hyphens=False) + "\n")
 
 
-text = HEAD + "".join([*(section(*one) for one in FORMATS), *channels(), *units(), *others()])
+text = HEAD + "".join([*(section(*one) for one in FORMATS), *channels(), *units(), others()])
 if "--check" not in sys.argv:
     TARGET.write_text(text, encoding="utf-8")
 elif TARGET.read_text(encoding="utf-8") != text:

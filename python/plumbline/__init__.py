@@ -18,8 +18,8 @@ from plumbline.diagnosis import CorrectedModel, Curve, Diagnosis, diagnose, diag
 from plumbline.loaded import (Branch, Equilibria, Path, Points, Proof, equilibria, equilibria_certificate, path,
                               path_certificate)
 from plumbline.models import Draft, Guess, NominalChain, draft, read_chain
-from plumbline.program import check, check_experiment, diagnose_folders, figure, plan_folder, reference, trial, verify
-from plumbline.recordings import read_recording
+from plumbline.program import check, check_experiment, diagnose_folders, diagnose_logs, figure, plan_folder, reference, trial, verify
+from plumbline.recordings import read_logs, read_recording
 from plumbline.straight import (Modes, critical_certificate, critical_forces, critical_modes, lowest_critical_forces)
 from plumbline.structures import (Chain, StabilityLoss, critical_factors, stability_loss, structure_certificate,
                                   structure_equilibria, structure_path)
@@ -28,7 +28,8 @@ __all__ = [
     "Arm", "Branch", "Chain", "CorrectedModel", "Curve", "Diagnosis", "Draft", "Equilibria", "Error", "Guess", "Modes",
     "NominalChain", "Path", "Points", "Proof", "StabilityLoss", "__version__", "check", "check_experiment",
     "critical_certificate", "critical_factors", "critical_forces", "critical_modes", "diagnose", "diagnose_arm",
-    "diagnose_folder", "diagnose_folders", "draft", "equilibria", "equilibria_certificate", "figure",
-    "lowest_critical_forces", "path", "path_certificate", "plan", "plan_folder", "read_arm", "read_chain", "read_recording",
-    "reference", "stability_loss", "structure_certificate", "structure_equilibria", "structure_path", "trial", "verify",
+    "diagnose_folder", "diagnose_folders", "diagnose_logs", "draft", "equilibria", "equilibria_certificate", "figure",
+    "lowest_critical_forces", "path", "path_certificate", "plan", "plan_folder", "read_arm", "read_chain", "read_logs",
+    "read_recording", "reference", "stability_loss", "structure_certificate", "structure_equilibria", "structure_path", "trial",
+    "verify",
 ]

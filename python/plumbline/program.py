@@ -112,6 +112,18 @@ def diagnose_folders(folders: Iterable[PathLike], *, model: Model | None = None,
     return found
 
 
+def diagnose_logs(folder: PathLike, *, corrected: PathLike | None = None, html: PathLike | None = None) -> dict[str, Any]:
+    """Diagnoses logs of a joint in motion, or of an arm whose torques were read (docs/motion.md), as `plumbline diagnose FOLDER
+    --json` says it: docs/schemas/motion-report.schema.json or torque-report.schema.json.
+
+    :param corrected: a file for the corrected model: MJCF, URDF, SDF, or the JSON of BAM
+    :param html: a file for the page with plots
+    :raises Error: with the file, the line or key, what was found and what was expected
+    """
+    found: dict[str, Any] = json.loads(run("diagnose", folder, "--json", "-", *_given(corrected=corrected, html=html)))
+    return found
+
+
 def _given(**options: PathLike | None) -> list[str | PathLike]:
     """The options that are given, as words."""
     return [word for name, value in options.items() if value for word in (f"--{name}", value)]

@@ -71,7 +71,3 @@ def tables(path):
             rows = None
     return result
 
-
-def keys(table):
-    """The first column of a table, as the words in its backquotes."""
-    return [match[1] for row in table[1:] if (match := re.fullmatch(r"`(.*)`", row[0]))]

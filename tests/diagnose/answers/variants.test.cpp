@@ -199,8 +199,9 @@ Experiment payload(Dice& dice) {
 /// Torque of a joint alone that is turned there and back twice.
 Experiment loop(Dice& dice) {
   const double k = dice.between(50, 500), friction = dice.between(0.05, 0.2) * k * 0.05;
-  Experiment experiment = lever(1, k, Bench::Plane::horizontal, {0, 0, 0.05 * friction, 0, 0});
+  Experiment experiment = lever(1, k, Bench::Plane::horizontal, {});
   experiment.alone = Alone::turns;
+  experiment.noise[Channel::Name::torque] = 0.05 * friction;
   Run run{"loop", Control::end_point, {0}, {}};
   run.alone = Alone::turns;
   double last = 0, rub = 0;
@@ -217,8 +218,9 @@ Experiment loop(Dice& dice) {
 /// A flexure that turns by 0.3 mrad under weights.
 Experiment flexure(Dice& dice) {
   const double k = dice.between(1, 4), own = (1 + dice.between(0.05, 0.3)) * k;
-  Experiment experiment = lever(1, k, Bench::Plane::horizontal, {5e-7, 0, 0, 0, 0});
+  Experiment experiment = lever(1, k, Bench::Plane::horizontal, {});
   experiment.alone = Alone::turns;
+  experiment.noise[Channel::Name::angle] = 5e-7;
   Run run{"weights", Control::force, {0}, {}};
   run.alone = Alone::turns;
   run.by_weights = true;

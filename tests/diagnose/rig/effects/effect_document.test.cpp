@@ -36,21 +36,22 @@ struct Document {
 };
 
 Document read_document() {
-  static const std::regex effect(R"(\| `(\w+)(\(j\))?` \| ([^`|]+) \|[^|]*\|[^|]*\|)");
+  static const std::regex effect(R"(\| `(\w+)(\(j\))?` \| ([^`|:]+): [^|]* \|)");
   static const std::regex parameter(
       R"(\| (`\w+(\(j\))?`(, [\w ]+)?)? \| `(\w+)` \| ([^|]*) \| ([^|]*) \| ([^|]*) \|)");
   static const std::regex pair(R"(\| `(\w+)` \| `(\w+)` \| [^|]* \|)");
   Document document;
-  std::istringstream lines(read_text(PLUMBLINE_SOURCE_DIR "/docs/effects.md") +
-                           read_text(PLUMBLINE_SOURCE_DIR "/diagnose/rig/effects/README.md"));
+  std::istringstream effects(read_text(PLUMBLINE_SOURCE_DIR "/docs/effects.md"));
+  std::istringstream numbers(read_text(PLUMBLINE_SOURCE_DIR "/diagnose/rig/effects/README.md"));
   std::smatch found;
+  for (std::string line; std::getline(effects, line);)
+    if (std::regex_match(line, found, effect))
+      document.effects.push_back({found[1], found[2].matched, found[3], {}});
   std::size_t of = 0;  // the effect of a parameter, from 1: an empty first cell continues the one above
-  for (std::string line; std::getline(lines, line);) {
+  for (std::string line; std::getline(numbers, line);) {
     if (std::regex_match(line, found, parameter)) {
       of += found[1].matched ? 1 : 0;
       document.effects.at(of - 1).parameters.push_back({found[4], found[5], found[6], found[7]});
-    } else if (std::regex_match(line, found, effect)) {
-      document.effects.push_back({found[1], found[2].matched, found[3], {}});
     } else if (std::regex_match(line, found, pair)) {
       document.equivalent.emplace_back(found[1], found[2]);
     }
