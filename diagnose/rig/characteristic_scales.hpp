@@ -43,11 +43,12 @@ struct CharacteristicScales {
   bool bent_at_rest = false;          ///< some rest angle, other than that of joint 1, is not zero
   bool drives = false;                ///< a drive moves what is imposed; weights are hung
   std::vector<bool> moves;            ///< by joint, whether its command changes
-  bool warms = false;                 ///< its temperature is noted, and changes
-  bool reads_encoders = false;        ///< joint angles are read by the encoders that lead the servos
-  bool tool_is_measured = false;      ///< some measured point is on the last link
-  double largest_reading = 0;         ///< of |Fx| and |Fy|, where they are read
-  std::size_t at_largest = 0;         ///< readings of a force that reach the largest one within their noise
+  std::vector<double> least_command, largest_command;  ///< by joint
+  bool warms = false;                                  ///< its temperature is noted, and changes
+  bool reads_encoders = false;    ///< joint angles are read by the encoders that lead the servos
+  bool tool_is_measured = false;  ///< some measured point is on the last link
+  double largest_reading = 0;     ///< of |Fx| and |Fy|, where they are read
+  std::size_t at_largest = 0;     ///< readings of a force that reach the largest one within their noise
   std::array<bool, channel_names> measured{};  ///< by channel name
 
   /// Stiffness of a joint; for a passive joint the mean of the elastic ones.

@@ -9,7 +9,9 @@ namespace {
 /// Whether slip is followed between readings. A free torque law knows only the history at the readings, and
 /// friction by the speed of the step before would oscillate.
 bool slips_on_the_way(const Layout& layout, const Rig& rig) {
-  const bool slips = layout.sliders > 0 || std::isfinite(rig.yield);
+  const bool slips =
+      layout.sliders > 0 || std::isfinite(rig.yield) ||
+      std::any_of(rig.slip.begin(), rig.slip.end(), [](double torque) { return std::isfinite(torque); });
   return slips && rig.laws.empty() && rig.friction_law.fall == 0;
 }
 

@@ -18,6 +18,18 @@ struct Stop {
   double share = 1;  ///< of the way between them
 };
 
+/// A force that follows another one with a time constant; at the first reading it has followed.
+class Follower {
+ public:
+  /// \param now   changes linearly between readings
+  /// \param dt    time since the last reading, s; 0 at the first
+  /// \param time  constant, s
+  Vector2 follow(const Vector2& now, double dt, double time);
+
+ private:
+  Vector2 led_ = Vector2::Zero(), at_ = Vector2::Zero();  ///< at the last reading
+};
+
 class Traveller {
  public:
   Traveller(const Experiment& experiment, const Rig& rig, const Run& run);
@@ -55,12 +67,11 @@ class Traveller {
 
  private:
   [[nodiscard]] Vector2 at_end(const Run& run, const Reading& reading, double growing) const;
-  Vector2 lagging(const Vector2& now, double dt);
 
-  std::vector<Reading> behind_;  ///< the readings with delayed commands; none without delay
-  Reading on_the_way_{};         ///< between two of them
-  Vector2 felt_ = Vector2::Zero(), shown_ = Vector2::Zero();  ///< at the last reading
-  std::vector<double> rest_then_;                             ///< of each joint, likewise
+  std::vector<Reading> behind_;    ///< the readings with delayed commands; none without delay
+  Reading on_the_way_{};           ///< between two of them
+  Follower lag_, creep_;           ///< of the load cell
+  std::vector<double> rest_then_;  ///< of each joint, at the last reading
   LoadHistory load_history_;
 };
 
