@@ -57,6 +57,9 @@ constexpr Way no_centre{false, "links of this file keep their centres of mass"};
 constexpr Way no_counterweight{false, "this format has no torque that goes with the cosine of an angle"};
 constexpr Way no_joint_sensor{false, "of the sensors of the joints, not of the chain"};
 constexpr Way no_coupling{false, "joints of this format are not coupled"};
+constexpr Way no_travel{false, "the range of the joint, which is left as it is"};
+constexpr Way no_slip{false, "springs of this format do not slip at their fixture"};
+constexpr Way no_creep{false, "sensors of this format do not creep"};
 constexpr Way no_point{false, "this format has no place for where a force acts"};
 
 /// Rows that any simulator of bodies carries, or none.
@@ -107,6 +110,10 @@ const std::map<std::string_view, Way>& everywhere() {
                                                    {"angle_scale", no_joint_sensor},
                                                    {"torque_bias", no_joint_sensor},
                                                    {"torque_scale", no_joint_sensor},
+                                                   {"upper_limit", no_travel},
+                                                   {"lower_limit", no_travel},
+                                                   {"series_friction", no_slip},
+                                                   {"sensor_creep", no_creep},
                                                    {"plastic_set", no_set}};
   return all;
 }

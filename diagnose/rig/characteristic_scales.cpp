@@ -139,6 +139,7 @@ void find_device(const Experiment& experiment, CharacteristicScales& size) {
 /// Which commands change, and whether the temperature does.
 void find_motion(const Experiment& experiment, CharacteristicScales& size) {
   size.moves.assign(size.joint_stiffness.size(), false);
+  size.least_command = size.largest_command = experiment.runs.front().rest;
   constexpr double still = 1e-3;  // rad or m
   const bool noted = std::find(experiment.covariates.begin(), experiment.covariates.end(), "temperature") !=
                      experiment.covariates.end();
@@ -146,8 +147,11 @@ void find_motion(const Experiment& experiment, CharacteristicScales& size) {
     for (const Reading& reading : run.readings) {
       size.warms = size.warms || (noted && size.axes == 3 &&
                                   reading.covariates != experiment.runs.front().readings.front().covariates);
-      for (std::size_t j = 0; j < reading.rest.size(); ++j)
-        size.moves[j] = size.moves[j] || std::abs(reading.rest[j] - experiment.runs.front().rest[j]) > still;
+      for (std::size_t j = 0; j < reading.rest.size(); ++j) {
+        size.least_command[j] = std::min(size.least_command[j], reading.rest[j]);
+        size.largest_command[j] = std::max(size.largest_command[j], reading.rest[j]);
+        size.moves[j] = size.largest_command[j] - size.least_command[j] > still;
+      }
     }
 }
 

@@ -78,7 +78,9 @@ struct JointLaw {
   double stiffness = 0, rest = 0, backlash = 0;
   double stop = std::numeric_limits<double>::infinity(), stop_stiffness = 0, hardening = 0, asymmetry = 0;
   double knee = std::numeric_limits<double>::infinity(), give = 0;
+  Travel travel = {};
   double yield = std::numeric_limits<double>::infinity(), flow = 0;
+  bool hardens = true;  ///< the yield rises to the largest torque so far
   std::array<double, most_arms> arm_stiffness = {};
   std::vector<JointSlider> slider = {};  ///< the first is the dry friction
   std::vector<TorqueTable> table = {};
@@ -90,6 +92,12 @@ struct JointLaw {
   /// Stiffness of sticking dry friction over that of the joint's spring: it reaches the slip torque after
   /// 1e-5 of the deflection that the spring needs for it, and is still solved to ten digits.
   static constexpr double sticking = 1e5;
+  /// Stiffness of the ends of travel over that of the joint's spring: a command goes on beyond them, and the
+  /// joint by a ten-thousandth of that.
+  static constexpr double unyielding = 1e4;
+  /// Plastic over elastic deflection of a spring that slips at its fixture: its torque rises by a hundredth
+  /// of a per cent of what the spring would, and is still solved to ten digits.
+  static constexpr double slipping = 1e4;
   /// Half the turn, rad, after which a reversing joint has changed its direction: below the resolution of
   /// measured angles, and still solved to ten digits.
   static constexpr double turning = 1e-5;
@@ -100,6 +108,7 @@ struct JointLaw {
     Torque torque = flow > 0 ? flowing(d, last) : spring(d);
     for (const TorqueTable& one : table) torque += one.at(d);
     torque += felt_beyond(stop, stop_stiffness, d);
+    torque += felt_at_the_end_of_travel(angle);
     return torque;
   }
 
@@ -158,7 +167,7 @@ struct JointLaw {
     const double d = angle - rest - memory.set, held = held_back(d, memory);
     if (held == d) return;
     memory.set += d - held;
-    memory.carried = stiffness * std::abs(held);
+    if (hardens) memory.carried = stiffness * (std::abs(held) - backlash);
   }
 
  private:
@@ -174,6 +183,13 @@ struct JointLaw {
     return {stiffness * std::copysign(over, d), stiffness, stiffness * over * over / 2};
   }
 
+  [[nodiscard]] Torque felt_at_the_end_of_travel(double angle) const {
+    const double over = angle > travel.high ? angle - travel.high : std::min(angle - travel.low, 0.0);
+    if (over == 0) return {};
+    const double stiff = unyielding * stiffness;
+    return {stiff * over, stiff, stiff * over * over / 2};
+  }
+
   /// Spring with play, hardening, asymmetry and a softer slope beyond its knee.
   [[nodiscard]] Torque spring(double d) const {
     const double size = std::abs(d);
@@ -186,10 +202,15 @@ struct JointLaw {
     return torque;
   }
 
+  /// The deflection at which the spring, past its play, yields.
+  [[nodiscard]] double yields_at(const JointMemory& last) const {
+    return backlash + std::max(yield, last.carried) / stiffness;
+  }
+
   /// The elastic part of a deflection; beyond the yield the remainder is plastic.
   [[nodiscard]] double held_back(double d, const JointMemory& last) const {
     if (!(flow > 0) || !(stiffness > 0)) return d;
-    const double limit = std::max(yield, last.carried) / stiffness, excess = std::abs(d) - limit;
+    const double limit = yields_at(last), excess = std::abs(d) - limit;
     return excess > 0 ? std::copysign(limit + excess / (1 + flow), d) : d;
   }
 
@@ -198,9 +219,8 @@ struct JointLaw {
     Torque torque = spring(held);
     if (held == moved) return torque;
     // Beyond the limit the joint turns 1 + flow times as far as its spring.
-    const double limit = std::copysign(std::max(yield, last.carried) / stiffness, moved);
     torque.slope /= 1 + flow;
-    torque.energy += flow * (torque.energy - spring(limit).energy);
+    torque.energy += flow * (torque.energy - spring(std::copysign(yields_at(last), moved)).energy);
     return torque;
   }
 

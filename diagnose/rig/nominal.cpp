@@ -31,6 +31,8 @@ Rig without_effects(const Experiment& experiment) {
   rig.backlash.assign(n, 0);
   rig.stop.assign(n, std::numeric_limits<double>::infinity());
   rig.stop_stiffness.assign(n, 0);
+  rig.travel.resize(n);
+  rig.slip.assign(n, std::numeric_limits<double>::infinity());
   rig.hardening.assign(n, 0);
   rig.asymmetry.assign(n, 0);
   rig.knee.assign(n, std::numeric_limits<double>::infinity());

@@ -25,13 +25,15 @@ struct ParameterRange {
   /// Standard deviation of a Gaussian prior about zero, for a manufacturing tolerance; 0 for other
   /// parameters.
   double tolerance = 0;
+  /// Whether it is as probable everywhere between its bounds; then no value of its own is the nominal model.
+  bool anywhere = false;
 
   /// Whether zero is the nominal model.
   [[nodiscard]] bool may_be_nothing() const {
-    return coordinate == Coordinate::growth || (coordinate == Coordinate::plain && low <= 0);
+    return coordinate == Coordinate::growth || (coordinate == Coordinate::plain && low <= 0 && !anywhere);
   }
   /// Whether the parameter is a threshold, such as the angle of a stop: bounded away from zero.
-  [[nodiscard]] bool is_onset() const { return coordinate == Coordinate::plain && low > 0; }
+  [[nodiscard]] bool is_onset() const { return coordinate == Coordinate::plain && low > 0 && !anywhere; }
   /// The same between other bounds, where the law itself has them.
   [[nodiscard]] ParameterRange within(double least, double most) const {
     ParameterRange other = *this;

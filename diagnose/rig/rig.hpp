@@ -61,6 +61,12 @@ struct SensorError {
   friend bool operator==(const SensorError&, const SensorError&) = default;
 };
 
+/// The angles between which a joint turns.
+struct Travel {
+  double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
+  friend bool operator==(const Travel&, const Travel&) = default;
+};
+
 struct Rig {
   bool alone = false;  ///< the one joint has no link: force.x is its torque, and the place x its angle
 
@@ -71,6 +77,8 @@ struct Rig {
   std::vector<double> backlash;    ///< half the play, b
   std::vector<double> stop;        ///< s, deflection at which the stop is reached; infinite without a stop
   std::vector<double> stop_stiffness;        ///< k_s
+  std::vector<Travel> travel;                ///< of the joint's angle
+  std::vector<double> slip;                  ///< torque at which the spring slips at its fixture; or infinite
   std::vector<double> hardening;             ///< c of k d (1 + c d^2), 1/rad^2
   std::vector<double> asymmetry;             ///< e: stiffness k (1 + e) for d > 0, k (1 - e) for d < 0
   std::vector<double> knee;                  ///< deflection beyond which the spring is softer; or infinite
@@ -125,6 +133,8 @@ struct Rig {
   Vector2 cell_curvature = Vector2::Zero();                      ///< c_x, c_y, 1/N
   double force_limit = std::numeric_limits<double>::infinity();  ///< range of the load cell, N
   double force_lag = 0;                                          ///< its time constant, s
+  double force_creep = 0,
+         creep_time = 1;  ///< share of the force that it shows more in time; time constant, s
 
   // A second sensor of the load.
   double second_gain = 0;                 ///< g

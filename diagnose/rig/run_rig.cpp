@@ -28,12 +28,14 @@ JointLaw joint_law(const Rig& rig, const std::vector<double>& times, std::size_t
   law.backlash = rig.backlash[i];
   law.stop = rig.stop[i];
   law.stop_stiffness = rig.stop_stiffness[i];
+  law.travel = rig.travel[i];
   law.hardening = rig.hardening[i];
   law.asymmetry = rig.asymmetry[i];
   law.knee = rig.knee[i];
   law.give = rig.give[i];
   law.yield = rig.yield;
   law.flow = rig.flow;
+  if (std::isfinite(rig.slip[i])) law.yield = rig.slip[i], law.flow = JointLaw::slipping, law.hardens = false;
   for (std::size_t a = 0; a < rig.arms.size(); ++a)
     law.arm_stiffness.at(a) = rig.arms[a].ratio * law.stiffness;
   if (law.stiffness > 0) {

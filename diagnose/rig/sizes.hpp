@@ -48,6 +48,7 @@ enum class ParameterKind {
   torque_drift,        ///< of a sensor, by time
   balance_torque,      ///< of a counterweight
   yield_torque,        ///< of a spring
+  slip_torque,         ///< of a spring at its fixture
   mass,                ///< of a link
   density,             ///< of links, by their length
   coupling_stiffness,  ///< between joints

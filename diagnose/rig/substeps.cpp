@@ -6,11 +6,15 @@
 namespace plumbline::diagnose {
 namespace {
 
+bool slips(std::size_t sliders, const Rig& rig) {
+  return sliders > 0 || std::isfinite(rig.yield) ||
+         std::any_of(rig.slip.begin(), rig.slip.end(), [](double torque) { return std::isfinite(torque); });
+}
+
 /// Whether slip is followed between readings. A free torque law knows only the history at the readings, and
 /// friction by the speed of the step before would oscillate.
 bool slips_on_the_way(std::size_t sliders, const Rig& rig) {
-  const bool slips = sliders > 0 || std::isfinite(rig.yield);
-  return slips && rig.laws.empty() && rig.friction_law.fall == 0;
+  return slips(sliders, rig) && rig.laws.empty() && rig.friction_law.fall == 0;
 }
 
 /// The largest turn of a link in the unloaded shape between two readings.
@@ -66,7 +70,7 @@ std::vector<std::size_t> substeps(const Run& run, std::size_t sliders, const Rig
 
 bool remembers(const Rig& rig, std::size_t sliders) {
   const bool yields = std::any_of(rig.stiffness.begin(), rig.stiffness.end(), [](double k) { return k > 0; });
-  return yields && (sliders > 0 || std::isfinite(rig.yield) || !arm_times(rig).empty());
+  return yields && (slips(sliders, rig) || !arm_times(rig).empty());
 }
 
 }  // namespace plumbline::diagnose

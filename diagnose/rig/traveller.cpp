@@ -8,6 +8,17 @@
 
 namespace plumbline::diagnose {
 
+Vector2 Follower::follow(const Vector2& now, double dt, double time) {
+  if (time > 0 && dt > 0) {
+    const Vector2 behind = (now - led_) / dt * time;
+    at_ = now - behind + std::exp(-dt / time) * (at_ - led_ + behind);
+  } else {
+    at_ = now;
+  }
+  led_ = now;
+  return at_;
+}
+
 Traveller::Traveller(const Experiment& experiment, const Rig& rig, const Run& run)
     : on(rig, run.rest),
       command(run, rig.command_delay),
@@ -51,7 +62,9 @@ Vector2 Traveller::measure_force(double t, double dt, double direction) {
   const Vector2 force(posture.force.x, posture.force.y);
   Vector2 read = shown_by_cell(rig, turned(force, -rig.misalignment)) + zero_of_cell(rig, t);
   read.x() += rig.guide_friction * direction;
-  return lagging(read, dt).cwiseMin(rig.force_limit).cwiseMax(-rig.force_limit);
+  Vector2 shown = lag_.follow(read, dt, rig.force_lag);
+  if (rig.force_creep > 0) shown += rig.force_creep * creep_.follow(shown, dt, rig.creep_time);
+  return shown.cwiseMin(rig.force_limit).cwiseMax(-rig.force_limit);
 }
 
 Vector2 Traveller::second_load(const Run& run) const {
@@ -81,19 +94,6 @@ Vector2 Traveller::at_end(const Run& run, const Reading& reading, double growing
   if (run.by_weights) return turned(passed * run.imposed_at(reading), rig.misalignment);
   const Vector2 read = run.imposed_at(reading) - zero_of_cell(rig, reading.t);
   return turned(passed * force_on_cell(rig, read), rig.misalignment);
-}
-
-/// The reading of a first-order load cell for a force that changes linearly between readings.
-Vector2 Traveller::lagging(const Vector2& now, double dt) {
-  const double lag = on.rig.force_lag;
-  if (lag > 0 && dt > 0) {
-    const Vector2 behind = (now - felt_) / dt * lag;
-    shown_ = now - behind + std::exp(-dt / lag) * (shown_ - felt_ + behind);
-  } else {
-    shown_ = now;
-  }
-  felt_ = now;
-  return shown_;
 }
 
 }  // namespace plumbline::diagnose

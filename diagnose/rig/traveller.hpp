@@ -11,6 +11,18 @@
 
 namespace plumbline::diagnose {
 
+/// A force that follows another one with a time constant; at the first reading it has followed.
+class Follower {
+ public:
+  /// \param now   changes linearly between readings
+  /// \param dt    time since the last reading, s; 0 at the first
+  /// \param time  constant, s
+  Vector2 follow(const Vector2& now, double dt, double time);
+
+ private:
+  Vector2 led_ = Vector2::Zero(), at_ = Vector2::Zero();  ///< at the last reading
+};
+
 class Traveller {
  public:
   Traveller(const Experiment& experiment, const Rig& rig, const Run& run);
@@ -48,11 +60,10 @@ class Traveller {
   /// Adds the moments by which servos hold a share of the nominal weight of the chain as it is commanded.
   void hold_weight(const std::vector<double>& commanded, std::vector<double>& moment) const;
   [[nodiscard]] Vector2 at_end(const Run& run, const Reading& reading, double growing) const;
-  Vector2 lagging(const Vector2& now, double dt);
 
-  Vector2 felt_ = Vector2::Zero(), shown_ = Vector2::Zero();  ///< at the last reading
   const Experiment* experiment_;
-  std::vector<double> rest_then_;  ///< of each joint, likewise
+  Follower lag_, creep_;           ///< of the load cell
+  std::vector<double> rest_then_;  ///< of each joint, at the last reading
   LoadHistory load_history_;
 };
 

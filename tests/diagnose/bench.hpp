@@ -49,6 +49,8 @@ inline std::optional<Chosen> chosen(const EffectAt& at) {
       {"piecewise_spring", {{10, 0.5}, {0.03, 0.5}}},
       {"viscoelasticity", {{0, t}, {0.3, t}}},
       {"relaxation_spectrum", {{0, t, 0, later}, {0.3, t, 0.2, later}}},
+      {"series_friction", {{0}, {20}}},
+      {"sensor_creep", {{0, t}, {0.1, t}}},
       {"link_bending", {{3e-6}, {}}},
       {"hysteresis", {{0, 0.02, 0, 0.05, 0, 0.1}, {0.5, 0.02, 0.3, 0.05, 0.2, 0.1}}},
       {"hardening_spread", {{0, 0, 0}, {0.8, 0.4, 1.2}}},

@@ -148,7 +148,7 @@ std::vector<Effect> springs() {
 }
 
 std::vector<ParameterRange> piecewise_ranges(const Place& at) {
-  constexpr double most_give = 0.95;  // relative loss of stiffness beyond the knee
+  constexpr double most_give = 2;  // relative loss of stiffness beyond the knee: beyond 1 the torque falls
   return {of(ParameterKind::onset_angle, "s", at),
           of(ParameterKind::spring_part, "a", at).within(0, most_give)};
 }

@@ -1,6 +1,7 @@
 /// \file
 /// Effects of the joints.
 
+#include <algorithm>
 #include <cmath>
 
 #include "diagnose/rig/effects/onsets.hpp"
@@ -27,6 +28,38 @@ InitialGuesses shares_of(double reach, std::initializer_list<double> shares, std
   InitialGuesses guesses{{}, refined};
   for (const double share : shares) guesses.points.push_back({share * reach});
   return guesses;
+}
+
+/// The angle at which travel ends, as probably anywhere between the commands.
+ParameterRange end_of_travel(const Place& at) {
+  const double low = at.scales.least_command[at.joint], high = at.scales.largest_command[at.joint];
+  return {.name = "q",
+          .unit = "rad",
+          .coordinate = Coordinate::plain,
+          .scale = 0.05 * (high - low),
+          .low = low,
+          .high = high,
+          .anywhere = true};
+}
+
+/// An end of the joint's travel, whatever the command.
+Effect limit_of_travel(std::string id, std::string words, std::function<void(const Addition& to)> add) {
+  Effect row;
+  row.id = std::move(id);
+  row.words = std::move(words);
+  row.at_joint = true;
+  row.parameters = [](const Place& at) { return std::vector{end_of_travel(at)}; };
+  row.add = std::move(add);
+  row.possible = [](const Place& at) { return is_elastic(at) && moves(at); };
+  row.initial_guesses = [](const Place& at, const Excitation&) {
+    const ParameterRange range = end_of_travel(at);
+    InitialGuesses guesses{{}, 2};
+    for (const double share : {0.1, 0.3, 0.5, 0.7, 0.9})
+      guesses.points.push_back({range.low + share * (range.high - range.low)});
+    return guesses;
+  };
+  row.perturbation.large_step = true;
+  return row;
 }
 
 }  // namespace
@@ -114,6 +147,32 @@ std::vector<Effect> joint_effects() {
              });
            },
        .perturbation = {.growing = {1}}},
+      limit_of_travel("upper_limit", "an upper limit of travel of joint {}",
+                      [](const Addition& to) {
+                        double& end = to.rig.travel[to.joint].high;
+                        end = std::min(end, to.value[0]);
+                      }),
+      limit_of_travel("lower_limit", "a lower limit of travel of joint {}",
+                      [](const Addition& to) {
+                        double& end = to.rig.travel[to.joint].low;
+                        end = std::max(end, to.value[0]);
+                      }),
+      {.id = "series_friction",
+       .words = "friction in series with the spring of joint {}",
+       .at_joint = true,
+       .dissipates = true,
+       .parameters = one_of(ParameterKind::slip_torque, "tau_c"),
+       .add =
+           [](const Addition& to) { to.rig.slip[to.joint] = std::min(to.rig.slip[to.joint], to.value[0]); },
+       .possible = [](const Place& at) { return is_elastic(at) && turns_back(at); },
+       .initial_guesses =
+           [](const Place& at, const Excitation& nominal) {
+             InitialGuesses guesses{{}, 2};
+             const double torque = std::max(nominal.torque, 1e-3 * at.scales.typical_load(at.joint));
+             for (const double share : {0.3, 0.6, 0.9}) guesses.points.push_back({1 / (share * torque)});
+             return guesses;
+           },
+       .perturbation = {.large_step = true}},
       {.id = "joint_coupling",
        .words = "springs that couple neighbouring joints",
        .parameters = one_of(ParameterKind::coupling_stiffness, "kappa"),

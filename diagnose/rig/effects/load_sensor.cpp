@@ -3,6 +3,7 @@
 /// and a second one beside it. A servo that imposes a load regulates on what the first one reads.
 
 #include <algorithm>
+#include <cmath>
 
 #include "diagnose/rig/effects/each_joint.hpp"
 #include "diagnose/rig/effects/rows.hpp"
@@ -59,6 +60,28 @@ std::vector<Effect> first_sensor() {
        .parameters = one_of(ParameterKind::lag, "tau"),
        .add = [](const Addition& to) { to.rig.force_lag += to.value[0]; },
        .possible = reads_load_over_time},
+      {.id = "sensor_creep",
+       .words = "a load sensor that creeps under load",
+       .dissipates = true,
+       .parameters =
+           [](const Place& at) {
+             return std::vector{of(ParameterKind::load_gain, "m", at).positive(),
+                                of(ParameterKind::decay_time, "tau", at)};
+           },
+       .add =
+           [](const Addition& to) {
+             to.rig.force_creep += to.value[0];
+             to.rig.creep_time = to.value[1];
+           },
+       .possible = reads_load_over_time,
+       .initial_guesses =
+           [](const Place& at, const Excitation&) {
+             InitialGuesses guesses{{}, 2};
+             for (const double share : {0.03, 0.1, 0.3})
+               guesses.points.push_back({0.05, std::log(share * at.scales.duration)});
+             return guesses;
+           },
+       .perturbation = {.growing = {0}}},
       {.id = "cross_talk",
        .words = "a load cell with cross-talk between its components",
        .parameters = some_of(ParameterKind::cross_talk, {"c_xy", "c_yx"}),

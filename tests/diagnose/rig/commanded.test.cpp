@@ -4,9 +4,11 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "diagnose/rig/history.hpp"
+#include "diagnose/rig/joint_law.hpp"
 #include "diagnose/rig/nominal.hpp"
 #include "tests/diagnose/bench.hpp"
 
@@ -174,4 +176,19 @@ TEST_CASE("sensitivities along a sweep are those of two rigs") {
   REQUIRE(predicted.reached);
   for (Eigen::Index i = 2; i <= 12; ++i)
     CHECK(predicted.sensitivity[0][0](i, column_q) == doctest::Approx(-1.0 / 20).epsilon(1e-4));
+}
+
+TEST_CASE("a joint stops at the ends of its travel while its command goes on") {
+  const Experiment experiment = swept_joint(-0.2);  // to 0.4 rad and back
+  Rig rig = nominal_rig(experiment);
+  rig.travel[0] = {-0.07, 0.31};
+  const Prediction predicted = simulate(experiment, rig, {});
+  REQUIRE(predicted.reached);
+  for (Eigen::Index i = 0; i <= 24; ++i) {
+    const double command = experiment.runs[0].readings[static_cast<std::size_t>(i)].rest[0],
+                 end = std::clamp(command, -0.07, 0.31);
+    // The spring pulls on, against an end that is so many times as stiff.
+    CHECK(std::abs(angle_of_joint(predicted, i) -
+                   (command + JointLaw::unyielding * end) / (1 + JointLaw::unyielding)) < as_near);
+  }
 }

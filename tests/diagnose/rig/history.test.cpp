@@ -125,7 +125,8 @@ TEST_CASE("an effect of amount zero is the nominal model, any other is not") {
                        "capstan_friction", "second_zero",       "second_gain",          "torque_bias",
                        "torque_scale",     "axis_tilt",         "axis_shift",           "link_centre",
                        "mount_tilt",       "thermal_expansion", "tool_compliance",      "tool_play",
-                       "tool_offset",      "tool_turn",         "slide_bending"});
+                       "tool_offset",      "tool_turn",         "slide_bending",        "upper_limit",
+                       "lower_limit"});
   for (const EffectAt& at : possible) {
     CAPTURE(at.effect->id);
     CAPTURE(at.joint);

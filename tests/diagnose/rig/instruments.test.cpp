@@ -158,6 +158,24 @@ TEST_CASE("a lagging cell approaches a constant force as 1 - exp(-t / tau)") {
   }
 }
 
+TEST_CASE("a creeping cell shows a share more of a constant force as 1 - exp(-t / tau)") {
+  Experiment experiment = three_links();
+  press(experiment, {0.3, -0.5, 0.4}, {-0.02, 0}, 1, false, 1e-6);
+  Run& run = experiment.runs[0];
+  for (int i = 1; i <= 20; ++i) {
+    run.readings.push_back(run.readings[1]);
+    run.readings.back().t = 1e-6 + 0.5 * i;
+  }
+  const double force = predicted(experiment, {}, {}).runs[0](1, column_Fx), share = 0.1, tau = 2;
+  const Trace shown = predicted(experiment, only("sensor_creep"), {share, std::log(tau)}).runs[0];
+  for (Eigen::Index row = 1; row < shown.rows(); ++row) {
+    const double held = 0.5 * static_cast<double>(row - 1);
+    // The load takes 1e-6 s to come.
+    CHECK(shown(row, column_Fx) ==
+          doctest::Approx((1 + share * (1 - std::exp(-held / tau))) * force).epsilon(1e-5));
+  }
+}
+
 TEST_CASE("a lagging cell trails a ramp by lag times rate") {
   // The straight side of a small press: forces go nearly in proportion to the way.
   Experiment experiment = three_links();

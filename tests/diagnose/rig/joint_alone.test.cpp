@@ -4,10 +4,12 @@
 #include <doctest/doctest.h>
 
 #include <rapidcheck.h>
+#include <algorithm>
 #include <cmath>
 
 #include "diagnose/inference/study.hpp"
 #include "diagnose/rig/history.hpp"
+#include "diagnose/rig/joint_law.hpp"
 #include "diagnose/rig/nominal.hpp"
 #include "tests/diagnose/bench.hpp"
 
@@ -184,4 +186,22 @@ TEST_CASE("ranges of angles follow joints that hardly turn") {
   const std::vector<ParameterRange> ranges = Study(read).ranges({"rest_angle", 1});
   CHECK(ranges[0].high == doctest::Approx(0.6 * turn));
   CHECK(ranges[0].scale == doctest::Approx(0.05 * turn));
+}
+
+TEST_CASE("a slider behind play carries its torque at most, and turns back through the play first") {
+  constexpr double k = 7, play = 0.02, most = 0.6;
+  const Experiment experiment = joint_alone(Control::end_point, k, 0.3);
+  Rig rig = nominal_rig(experiment);
+  rig.backlash = {play};
+  rig.slip = {most};
+  const Prediction predicted = simulate(experiment, rig, {});
+  REQUIRE(predicted.reached);
+  double slid = 0;  // the slider follows the joint beyond what play and spring allow
+  for (Eigen::Index i = 0; i <= 40; ++i) {
+    const double d = shown(predicted, i, ChannelName::angle) - 0.05, reach = play + most / k;
+    slid = std::clamp(slid, d - reach, d + reach);
+    const double stretched = std::copysign(std::max(std::abs(d - slid) - play, 0.0), d - slid);
+    // A slipping spring keeps one part in `slipping` of its stiffness, over 0.6 rad of way.
+    CHECK(std::abs(shown(predicted, i, ChannelName::torque) - k * stretched) < k * 0.6 / JointLaw::slipping);
+  }
 }

@@ -357,10 +357,11 @@ TEST_CASE("slipping joints are followed between readings: few readings predict w
   std::vector<Reading>& kept = few.runs[0].readings;
   kept.clear();
   for (std::size_t i = 0; i < many.runs[0].readings.size(); i += 80) kept.push_back(many.runs[0].readings[i]);
-  const std::array<std::pair<Candidate, std::vector<double>>, 3> slipping{
+  const std::array<std::pair<Candidate, std::vector<double>>, 4> slipping{
       {{only("friction_spread"), {0.12, 0.03, 0.008}},
        {only("hysteresis"), {0.4, 0.02, 0.3, 0.06, 0.2, 0.2}},
-       {only("plastic_set"), {0.1, 0.5}}}};
+       {only("plastic_set"), {0.1, 0.5}},
+       {only("series_friction", 2), {1 / 0.1}}}};
   for (const auto& [candidate, values] : slipping) {
     CAPTURE(candidate.label());
     const Trace fine = predict(Study(many), candidate, values).runs[0],

@@ -18,6 +18,8 @@ inline CharacteristicScales sizes_by_hand() {
   size.link_mass = {0, 0, 0};
   size.rigid = size.slides = std::vector<bool>(3, false);
   size.moves = std::vector<bool>(3, true);
+  size.least_command = {-0.4, -0.2, 0.1};
+  size.largest_command = {0.4, 0.8, 0.6};
   size.stiffness = 4;
   size.mass = 2;
   size.torque = 1.2;

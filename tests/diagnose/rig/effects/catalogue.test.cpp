@@ -102,12 +102,16 @@ TEST_CASE("a sizeable amount of each effect, by hand") {
       {"cross_talk", {0.03, 0.03}},
       {"cell_curvature", {0.03 / 7, 0.03 / 7}},
       {"saturation", {0.3 / 7}},
-      {"sensor_lag", {0.75}}};
+      {"sensor_lag", {0.75}},
+      {"sensor_creep", {0.05, 1}}};
   const std::map<std::string, std::vector<double>> of_a_joint{
       {"joint_stiffness", {0.2}},
       {"rest_angle", {0.05}},
       {"backlash", {0.05}},
       {"joint_stop", {0.3, 50}},
+      {"upper_limit", {0.05 * 0.5}},
+      {"lower_limit", {0.05 * 0.5}},
+      {"series_friction", {0.3 / 1.2}},
       {"link_length", {0.02}},
       {"joint_friction", {0.06}},
       {"joint_scale", {0.01}},
@@ -200,6 +204,10 @@ TEST_CASE("initial guesses are fractions of the excitation of the joints, by han
   check_guesses("joint_stop", 2, stops(0.23, 3), 2);
   check_guesses("joint_stop", 1, stops(0.11, 4), 2);
   check_guesses("joint_stops", 0, stops(0.31, 4), 2);
+  for (const char* end : {"upper_limit", "lower_limit"})  // of commands from -0.2 to 0.8
+    check_guesses(end, 2, {{-0.1}, {0.1}, {0.3}, {0.5}, {0.7}}, 2);
+  check_guesses("series_friction", 2, {{1 / 0.51}, {1 / 1.02}, {1 / 1.53}}, 2);
+  check_guesses("sensor_creep", 0, {{0.05, std::log(2.7)}, {0.05, std::log(9.0)}, {0.05, std::log(27.0)}}, 2);
   const InitialGuesses own =
       other_form("joint_stops").initial_guesses({sizes_by_hand(), 0}, excitation_by_hand());
   CHECK(own.refined == 2);
@@ -262,6 +270,10 @@ TEST_CASE("every effect: perturbed parameters, step, dissipation and excitation"
                                            {"joint_friction", {{}, true, true, 100, false}},
                                            {"joint_stop", {{1}, false, false, 100, false}},
                                            {"joint_stops", {{1}, false, false, 100, false}},
+                                           {"upper_limit", {{}, true, false, 100, false}},
+                                           {"lower_limit", {{}, true, false, 100, false}},
+                                           {"series_friction", {{}, true, true, 100, false}},
+                                           {"sensor_creep", {{0}, false, true, 100, false}},
                                            {"piecewise_spring", {{1}, false, false, 100, false}},
                                            {"viscoelasticity", {{0}, false, true, 100, false}},
                                            {"link_bending", {{}, true, false, 1, false}},

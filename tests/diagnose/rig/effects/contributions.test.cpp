@@ -19,6 +19,8 @@ TEST_CASE("effects of one kind add up; the contribution of each to the rig, by h
     rig.length = {0.2, 0.5, 0.6}, rig.stiffness = {0, 3, 5};
     rig.rest_error = rig.backlash = rig.stop = rig.stop_stiffness = rig.hardening = rig.asymmetry = rig.knee =
         rig.give = rig.friction = {1, 2, 3};
+    rig.travel.assign(3, {0.1, 0.3});
+    rig.slip = {1, 2, 3};
     rig.weight.assign(3, Vector2(0.1, 0.2));
     rig.centre.assign(3, Vector2::Zero());
     rig.sliders.resize(3);
@@ -50,6 +52,13 @@ TEST_CASE("effects of one kind add up; the contribution of each to the rig, by h
   check_values(with("hardening_spread", 0, {0.25, 0.5}).hardening, {1, 2.5, 4});
   check_values(with("joint_stop", 2, {0.1, 7}).stop, {1, 0.1, 3});
   check_values(with("joint_stop", 2, {0.1, 7}).stop_stiffness, {1, 7, 3});
+  // Of two ends, and of two places where a spring slips, the first to be met acts.
+  CHECK(with("upper_limit", 2, {0.2}).travel[1] == Travel{0.1, 0.2});
+  CHECK(with("upper_limit", 2, {0.4}).travel[1] == Travel{0.1, 0.3});
+  CHECK(with("lower_limit", 2, {0.2}).travel[1] == Travel{0.2, 0.3});
+  CHECK(with("lower_limit", 2, {0.0}).travel[1] == Travel{0.1, 0.3});
+  check_values(with("series_friction", 2, {0.5}).slip, {1, 0.5, 3});
+  check_values(with("series_friction", 2, {4}).slip, {1, 2, 3});
   check_values(with("joint_stops", 0, {0.1, 7}).stop, {0.1, 0.1, 0.1});
   check_values(with("joint_stops", 0, {0.1, 7}).stop_stiffness, {7, 7, 7});
   check_values(with("piecewise_spring", 0, {0.1, 0.5}).knee, {0.1, 0.1, 0.1});
@@ -116,6 +125,8 @@ TEST_CASE("effects of one kind add up; the contribution of each to the rig, by h
   CHECK(with("cell_curvature", 0, {1, 2}).cell_curvature == Vector2(2, 4));
   CHECK(with("saturation", 0, {8}).force_limit == 8);
   CHECK(with("sensor_lag", 0, {1}).force_lag == 2);
+  CHECK(with("sensor_creep", 0, {1, 7}).force_creep == 2);
+  CHECK(with("sensor_creep", 0, {1, 7}).creep_time == 7);
   const Rig tared = with("run_tare", 0, {1, 2, 3, 4, 5, 6}), turned = with("run_rest", 0, {1, 2, 3, 4, 5, 6});
   CHECK(tared.run_tare == std::vector<Vector2>{{2, 4}, {6, 8}, {10, 12}});
   CHECK(turned.run_rest == std::vector<std::vector<double>>{{0, 2, 4}, {0, 6, 8}, {0, 10, 12}});

@@ -128,9 +128,10 @@ TEST_CASE("words, places, parameters, units and ranges are those of the catalogu
   const Study study(two_links({2, 1}, {0.4, -0.9}, {{0.4, -0.9}, {0.5, -1.0}, {0.6, -1.1}}));
   // By hand: the mean of 2 and 1; lengths 0.3 and 0.2; no masses; all forces 4; 0.3 4 0.5, and that over 1.5;
   // one over its square is 6.25; times 0, 2, 4.
-  const std::map<std::string, double> symbols{
-      {"k", 1.5},    {"k_j", 1.0}, {"L", 0.5},      {"l", 0.25},  {"f", 4.0}, {"phi", 0.4}, {"w", 1.0},
-      {"c_0", 10.0}, {"tau", 0.6}, {"m", 4 / 9.81}, {"m_j", 0.0}, {"T", 4.0}, {"dt", 2.0}};
+  const std::map<std::string, double> symbols{{"k", 1.5},   {"k_j", 1.0},    {"L", 0.5},     {"l", 0.25},
+                                              {"f", 4.0},   {"phi", 0.4},    {"w", 1.0},     {"c_0", 10.0},
+                                              {"tau", 0.6}, {"m", 4 / 9.81}, {"m_j", 0.0},   {"T", 4.0},
+                                              {"dt", 2.0},  {"q_min", -0.9}, {"q_max", -0.9}};
   REQUIRE(document.effects.size() == catalogue().size());
   for (std::size_t e = 0; e < catalogue().size(); ++e) {
     const DocumentedEffect& documented = document.effects[e];

@@ -96,6 +96,8 @@ TEST_CASE("an effect is possible where the bench meets each of its conditions") 
       {"saturation", [](CharacteristicScales& s) { s.at_largest = 3; }},
       {"sensor_lag", no_force},
       {"sensor_lag", no_clock},
+      {"sensor_creep", no_force},
+      {"sensor_creep", no_clock},
       {"run_rest", one_run},
       {"run_rest", [](CharacteristicScales& s) { s.runs = 11; }},  // 33 values
       {"run_tare", one_run},
@@ -123,7 +125,8 @@ TEST_CASE("an effect is possible where the bench meets each of its conditions") 
   CHECK(effect("run_rest").possible({most, 0}));
   most.runs = 15;
   CHECK(effect("run_tare").possible({most, 0}));
-  for (const char* id : {"joint_stiffness", "rest_angle", "backlash", "piecewise_spring", "hysteresis"}) {
+  for (const char* id : {"joint_stiffness", "rest_angle", "backlash", "piecewise_spring", "hysteresis",
+                         "upper_limit", "lower_limit", "series_friction"}) {
     CAPTURE(id);
     CHECK_FALSE(effect(id, 1).possible({all, 0}));
   }
