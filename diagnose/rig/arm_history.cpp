@@ -3,17 +3,33 @@
 #include <algorithm>
 #include <limits>
 
+#include "diagnose/bench/nominal_arm.hpp"
 #include "diagnose/rig/arm_traveller.hpp"
 #include "diagnose/rig/substeps.hpp"
 
 namespace plumbline::diagnose {
 namespace {
 
+/// Whether a run reads orientations.
+bool reads_turns(const Run& run) {
+  const std::vector<Channel> measured = run.measured();
+  return std::any_of(measured.begin(), measured.end(),
+                     [](const Channel& channel) { return channel.name == Channel::Name::turn; });
+}
+
+/// By point: its orientation on the nominal arm, by which that of a reading is told.
+std::vector<Eigen::Matrix3d> told_orientations(const Experiment& experiment, const Reading& reading) {
+  std::vector<Eigen::Matrix3d> all;
+  for (const MeasuredPoint& point : experiment.arm_bench.points)
+    all.push_back(nominal_pose(experiment.arm->arm, point.at, reading.rest).linear());
+  return all;
+}
+
 /// An arm along one run, with its variations beside it.
 class ArmWalk {
  public:
   ArmWalk(const Experiment& experiment, const Run& run, const Rig& rig, const std::vector<Rig>& variations)
-      : run_(run), main_(experiment, rig, run, most_contacts(rig, variations)) {
+      : experiment_(experiment), run_(run), main_(experiment, rig, run, most_contacts(rig, variations)) {
     beside_.reserve(variations.size());
     for (const Rig& one : variations)
       beside_.emplace_back(experiment, one, run, most_contacts(rig, variations));
@@ -31,14 +47,17 @@ class ArmWalk {
       if (!arrive({*before})) return false;
       remember();
     }
+    const bool turns = reads_turns(run_);
+    std::vector<Eigen::Matrix3d> told;
     for (std::size_t r = 0; r < run_.readings.size(); ++r) {
       const auto at = static_cast<Eigen::Index>(r);
+      if (turns) told = told_orientations(experiment_, run_.readings[r]);
       follow(r);
       if (!arrive({run_.readings[r], last_, r})) return false;
-      main_.write(row);
+      main_.write(row, told);
       trace.row(at) = row.transpose();
       for (std::size_t p = 0; p < beside_.size(); ++p) {
-        beside_[p].write(other);
+        beside_[p].write(other, told);
         beside[p]->row(at) = (other - row).transpose();
       }
       remember();
@@ -67,7 +86,6 @@ class ArmWalk {
   bool arrive(const Stop& stop) {
     main_.head_for(stop);
     if (!main_.settle()) return false;
-    if (!beside_.empty()) main_.prepare();
     return std::all_of(beside_.begin(), beside_.end(), [&](ArmTraveller& other) {
       other.head_for(stop);
       return other.settle_beside(main_);
@@ -79,6 +97,7 @@ class ArmWalk {
     for (ArmTraveller& other : beside_) other.remember();
   }
 
+  const Experiment& experiment_;
   const Run& run_;
   ArmTraveller main_;
   std::vector<ArmTraveller> beside_;

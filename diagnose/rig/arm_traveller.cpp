@@ -135,53 +135,80 @@ void ArmTraveller::hold_weight() {
   }
 }
 
-ArmLoads<double> ArmTraveller::loads(const ArmPosture<double>& posture) const {
-  ArmLoads<double> all = arm_loads(arm_, posture, wrenches_);
-  all.force -= held_;
+void ArmTraveller::stand_at(Vector<double> coordinates) {
+  at_ = std::move(coordinates);
+  posture_.emplace(arm_, at_);
+}
+
+Torque ArmTraveller::balance(std::size_t joint, double coordinate) const {
+  const Eigen::Vector2d& amount = on_.rig.balance[joint];
+  if (amount.isZero(0)) return {};
+  const double c = std::cos(coordinate), s = std::sin(coordinate);
+  return {amount.dot(Eigen::Vector2d(c, s)), amount.dot(Eigen::Vector2d(-s, c))};
+}
+
+Vector<double> ArmTraveller::forces(const ArmPosture<double>& posture,
+                                    const Vector<double>& coordinates) const {
+  Vector<double> all = arm_forces(arm_, posture, wrenches_) - held_;
+  for (std::size_t i = 0; i < joint_.size(); ++i) all(joint_[i]) += balance(i, coordinates(joint_[i])).value;
+  return all;
+}
+
+Vector<double> ArmTraveller::residual(const Vector<double>& force) const {
+  Vector<double> all = at_ - target_ - compliance_ * force;
   for (std::size_t i = 0; i < joint_.size(); ++i) {
-    const Eigen::Vector2d& amount = on_.rig.balance[i];
-    if (amount.isZero(0)) continue;
-    const Eigen::Index k = joint_[i];
-    const double c = std::cos(coordinate_(k)), s = std::sin(coordinate_(k));
-    all.force(k) += amount.dot(Eigen::Vector2d(c, s));
-    all.stiffness(k, k) += amount.dot(Eigen::Vector2d(-s, c));
+    if (!yields_by_law(on_.rig, i)) continue;
+    const double q = at_(joint_[i]);
+    Torque torque = on_.joint[i].elastic(q, memory_[i]);
+    torque += history_torque(step(), i, q, contacts_of(i));
+    all(joint_[i]) = (torque.value - force(joint_[i]) - from_neighbours(i)) / on_.rig.stiffness[i];
   }
   return all;
 }
 
-void ArmTraveller::balance(const ArmLoads<double>& at, Vector<double>& residual,
-                           Matrix<double>& slope) const {
-  residual = coordinate_ - target_ - compliance_ * at.force;
-  slope = -compliance_ * at.stiffness;
-  slope.diagonal().array() += 1;
-  for (std::size_t i = 0; i < joint_.size(); ++i) {
-    const double stiffness = on_.rig.stiffness[i];
-    if (!yields_by_law(on_.rig, i)) continue;
-    const Eigen::Index k = joint_[i];
-    const double q = coordinate_(k);
-    Torque torque = on_.joint[i].elastic(q, memory_[i]);
-    torque += history_torque(step(), i, q, contacts_of(i));
-    residual(k) = (torque.value - at.force(k)) / stiffness;
-    slope.row(k) = -at.stiffness.row(k) / stiffness;
-    slope(k, k) = std::max(slope(k, k) + torque.slope / stiffness, smallest_slope);
-  }
-  if (on_.rig.coupling != 0) couple(residual, slope);
+double ArmTraveller::from_neighbours(std::size_t joint) const {
+  if (on_.rig.coupling == 0) return 0;
+  const auto deflection = [&](std::size_t i) { return at_(joint_[i]) - on_.joint[i].rest; };
+  return on_.rig.coupling *
+         ((joint > 0 ? deflection(joint - 1) : 0) + (joint + 1 < joint_.size() ? deflection(joint + 1) : 0));
 }
 
-/// A joint that yields feels the deflections of those beside it.
-void ArmTraveller::couple(Vector<double>& residual, Matrix<double>& slope) const {
-  const auto feels = [&](std::size_t own, std::size_t beside) {
-    if (!yields_by_law(on_.rig, own)) return;
-    const double share = on_.rig.coupling / on_.rig.stiffness[own];
-    residual(joint_[own]) -= share * (coordinate_(joint_[beside]) - on_.joint[beside].rest);
-    slope(joint_[own], joint_[beside]) -= share;
-  };
-  for (std::size_t i = 0; i + 1 < joint_.size(); ++i) feels(i, i + 1), feels(i + 1, i);
+Matrix<double> ArmTraveller::tangent(const Matrix<double>& stiffness) const {
+  Matrix<double> slope(stiffness.rows(), stiffness.cols());
+  for (std::size_t i = 0; i < joint_.size(); ++i) {
+    const Eigen::Index k = joint_[i];
+    slope.row(k) = -compliance_(k, k) * stiffness.row(k);
+    if (yields(arm_.links[i]))
+      slope.middleRows<6>(k + 1).noalias() =
+          -compliance_.block<6, 6>(k + 1, k + 1) * stiffness.middleRows<6>(k + 1);
+  }
+  slope.diagonal().array() += 1;
+  for (std::size_t i = 0; i < joint_.size(); ++i) {
+    if (!yields_by_law(on_.rig, i)) continue;
+    const Eigen::Index k = joint_[i];
+    const double q = at_(k);
+    Torque torque = on_.joint[i].elastic(q, memory_[i]);
+    torque += history_torque(step(), i, q, contacts_of(i));
+    slope.row(k) = -stiffness.row(k) / on_.rig.stiffness[i];
+    slope(k, k) = std::max(slope(k, k) + torque.slope / on_.rig.stiffness[i], smallest_slope);
+    const double share = on_.rig.coupling / on_.rig.stiffness[i];
+    if (i > 0) slope(k, joint_[i - 1]) -= share;
+    if (i + 1 < joint_.size()) slope(k, joint_[i + 1]) -= share;
+  }
+  return slope;
 }
 
 double ArmTraveller::newton_step() {
-  balance(loads(ArmPosture<double>(arm_, coordinate_)), residual_, slope_);
-  tangent_.compute(slope_);
+  stand_at(coordinate_);
+  ArmLoads<double> loads = arm_loads(arm_, *posture_, wrenches_);
+  loads.force -= held_;
+  for (std::size_t i = 0; i < joint_.size(); ++i) {
+    const Torque by_springs = balance(i, at_(joint_[i]));
+    loads.force(joint_[i]) += by_springs.value;
+    loads.stiffness(joint_[i], joint_[i]) += by_springs.slope;
+  }
+  residual_ = residual(loads.force);
+  tangent_.compute(tangent(loads.stiffness));
   Vector<double> by = tangent_.solve(residual_);
   const double length = by.lpNorm<Eigen::Infinity>();
   if (length > longest_step) by *= longest_step / length;
@@ -200,11 +227,11 @@ void ArmTraveller::start() {
   coordinate_ = target_;
   const std::vector<double>& play = on_.rig.backlash;
   if (std::all_of(play.begin(), play.end(), [](double b) { return b == 0; })) return;
-  const ArmLoads<double> at = loads(ArmPosture<double>(arm_, coordinate_));
+  const Vector<double> force = forces(ArmPosture<double>(arm_, coordinate_), coordinate_);
   for (std::size_t i = 0; i < joint_.size(); ++i) {
     if (!yields_by_law(on_.rig, i)) continue;
     double& q = coordinate_(joint_[i]);
-    if (const double load = at.force(joint_[i]); load != 0)
+    if (const double load = force(joint_[i]); load != 0)
       q += std::copysign(play[i], load) + load / on_.rig.stiffness[i];
     else
       q = std::clamp(memory_[i].angle, rest_[i] - play[i], rest_[i] + play[i]);
@@ -218,10 +245,9 @@ bool ArmTraveller::come_to_rest(bool contacts_hold) {
     if (!std::isfinite(length)) return false;
     const bool settled = contacts_hold || !change_contacts(i < joint_changes);
     const bool rounding = length < 1e-11 && length >= last;
-    if (settled && (rounding || length <= accuracy * (1 + coordinate_.lpNorm<Eigen::Infinity>())))
-      return true;
+    const double left = length * std::min(1.0, length / last);  // as steps shrink, or faster
+    if (settled && (rounding || left <= accuracy * (1 + coordinate_.lpNorm<Eigen::Infinity>()))) return true;
     last = length;
-    if (settled && length < 1e-7 && contacts_hold) return newton_step(), true;  // its square is rounding
   }
   return false;
 }
@@ -229,8 +255,7 @@ bool ArmTraveller::come_to_rest(bool contacts_hold) {
 void ArmTraveller::yield_at_base() {
   const Eigen::Vector2d& soft = on_.rig.arm->mount_compliance;
   const Pose<double>& still = on_.rig.arm->arm.base;
-  const Vector3<double> moment =
-      still.linear().transpose() * moment_on_base(arm_, ArmPosture<double>(arm_, coordinate_), wrenches_);
+  const Vector3<double> moment = still.linear().transpose() * moment_on_base(arm_, *posture_, wrenches_);
   arm_.base = still * rotation_by(Vector3<double>(soft.x() * moment.x(), soft.y() * moment.y(), 0));
 }
 
@@ -250,25 +275,44 @@ bool ArmTraveller::settle() {
   return come_to_rest_on_mount(false);
 }
 
-void ArmTraveller::prepare() {
-  balance(loads(ArmPosture<double>(arm_, coordinate_)), residual_, slope_);
-  tangent_.compute(slope_);
+std::vector<Eigen::Index> ArmTraveller::shared_with(const ArmTraveller& other) const {
+  std::vector<Eigen::Index> shared;
+  for (std::size_t i = 0; i < joint_.size(); ++i)
+    for (Eigen::Index k = 0; k < (yields(arm_.links[i]) && yields(other.arm_.links[i]) ? 7 : 1); ++k)
+      shared.push_back(joint_[i] + k);
+  return shared;
 }
 
 bool ArmTraveller::settle_beside(const ArmTraveller& other) {
   arm_.base = on_.rig.arm->arm.base;
   contact_ = other.contact_;
-  if (target_.size() != other.target_.size() || !on_.rig.arm->mount_compliance.isZero(0)) {
+  const std::vector<Eigen::Index> shared = shared_with(other);
+  if (shared.size() < static_cast<std::size_t>(other.target_.size()) ||
+      !on_.rig.arm->mount_compliance.isZero(0)) {
     coordinate_ = target_;
     for (std::size_t i = 0; i < joint_.size(); ++i)
       coordinate_(joint_[i]) += other.coordinate_(other.joint_[i]) - other.target_(other.joint_[i]);
     return come_to_rest_on_mount(true);
   }
+  const Vector<double> led = target_(shared) - other.target_;
+  if (led.isZero(0) && arm_ == other.arm_) {
+    at_ = other.at_, posture_ = other.posture_;
+  } else {
+    Vector<double> at = target_;
+    at(shared) = other.at_ + led;
+    stand_at(at);
+  }
+  if (target_.size() > other.target_.size()) {  // what yields here alone bends under the loads of the other
+    Vector<double> at = at_ - residual(forces(*posture_, at_));
+    at(shared) = at_(shared);
+    stand_at(at);
+  }
+  const Vector<double> left = residual(forces(*posture_, at_));
+  coordinate_ = at_ - left;
   // In this order, and less what rounding leaves there, an arm that does not differ is the same to the last
   // bit.
-  coordinate_ = other.coordinate_ + (target_ - other.target_);
-  balance(loads(ArmPosture<double>(arm_, coordinate_)), residual_, slope_);
-  coordinate_ -= other.tangent_.solve(residual_ - other.residual_);
+  coordinate_(shared) = other.coordinate_ + led;
+  coordinate_(shared) -= other.tangent_.solve(left(shared) - other.residual_);
   return coordinate_.allFinite();
 }
 
@@ -285,37 +329,51 @@ double ArmTraveller::torque_of_drive(std::size_t joint, double load) const {
   return history_torque(now, joint, coordinate_(joint_[joint]), contacts_of(joint)).value - load;
 }
 
+Pose<double> ArmTraveller::moved(Pose<double> frame, std::size_t movers) const {
+  Vector3<double> shift = Vector3<double>::Zero(), turn = shift;
+  for (std::size_t k = 0; k < movers; ++k) {
+    const ArmFreedom<double>& freedom = posture_->freedoms()[k];
+    const double by = coordinate_(static_cast<Eigen::Index>(k)) - at_(static_cast<Eigen::Index>(k));
+    shift += by * freedom.velocity(frame.translation());
+    turn += by * freedom.turning();
+  }
+  frame.translation() += shift;
+  frame.linear() = rotation_by(turn) * frame.linear();
+  return frame;
+}
+
 /// The tool's weight is that of the last link, at the tip. The tip's own motion changes the moment by its
 /// small size, and that is left.
-Vector3<double> ArmTraveller::turn_of_tool(const ArmPosture<double>& posture) const {
+Vector3<double> ArmTraveller::turn_of_tool() const {
   const ArmRig& rig = *on_.rig.arm;
-  const std::size_t last = arm_.size() - 1;
-  const Pose<double>& frame = posture.frame(last);
+  if (rig.tool_compliance == 0 && rig.tool_play == 0 && rig.tool_hinge.isZero(0))
+    return Vector3<double>::Zero();
+  const std::size_t last = arm_.size() - 1, movers = posture_->moved_by(last);
+  const Pose<double> frame = moved(posture_->frame(last), movers - (yields(arm_.links[last]) ? 6 : 0));
   constexpr double unweighed = 1e-3;  // kg: a tool whose model has no mass still hangs by its weight
   const double mass = std::max(arm_.links[last].mass, unweighed);
   Vector3<double> moment = (frame.linear() * arm_.tip.translation()).cross(mass * arm_.gravity);
   for (const ArmWrench<double>& one : wrenches_)
     if (one.at.link == last)
-      moment += one.moment + (posture.of(one.at).translation() - frame.translation()).cross(one.force);
+      moment += one.moment +
+                (moved(posture_->of(one.at), movers).translation() - frame.translation()).cross(one.force);
   return rig.tool_turn(frame.linear().transpose() * moment);
 }
 
 /// Where a point of the bench is.
-Pose<double> ArmTraveller::of(const OnLink<double>& point, const ArmPosture<double>& posture,
-                              const Vector3<double>& tool_turn) const {
+Pose<double> ArmTraveller::of(const OnLink<double>& point, const Vector3<double>& tool_turn) const {
   OnLink<double> at = expanded(point);
   if (at.link + 1 == arm_.size()) at.frame = Pose<double>(rotation_by(tool_turn)) * at.frame;
-  return posture.of(at);
+  return moved(posture_->of(at), posture_->moved_by(at.link));
 }
 
 bool ArmTraveller::reads(const Channel& channel) const {
   return std::find(measured_.begin(), measured_.end(), channel) != measured_.end();
 }
 
-void ArmTraveller::write(Eigen::Ref<Eigen::ArrayXd> row) const {
+void ArmTraveller::write(Eigen::Ref<Eigen::ArrayXd> row, const std::vector<Eigen::Matrix3d>& told) const {
   const ArmRig& rig = *on_.rig.arm;
-  const ArmPosture<double> posture(arm_, coordinate_);
-  const Vector3<double> tipped = turn_of_tool(posture);
+  const Vector3<double> tipped = turn_of_tool();
   Pose<double> camera = Pose<double>::Identity();
   camera.linear() = rotation_by(on_.rig.place_turn);
   camera.translation() = -camera.linear() * on_.rig.position_offset;
@@ -324,24 +382,22 @@ void ArmTraveller::write(Eigen::Ref<Eigen::ArrayXd> row) const {
     row(Channel(Channel::Name::q, i).column) = on_.rig.angle_read[i].shown(q);
   }
   for (std::size_t p = 0; p < rig.points.size(); ++p) {
-    const Pose<double> seen = camera * of(rig.points[p], posture, tipped);
+    const Pose<double> seen = camera * of(rig.points[p], tipped);
     const Vector3<double> place = (1 + on_.rig.place_scale) * seen.translation();
     for (std::size_t axis = 0; axis < 3; ++axis)
       row(Channel(Channel::Name::place, 3 * p + axis, arm_.size()).column) =
           place(static_cast<Eigen::Index>(axis));
     if (!reads(Channel(Channel::Name::turn, 3 * p, arm_.size()))) continue;
-    const Pose<double> told =
-        nominal_pose(experiment_->arm->arm, experiment_->arm_bench.points[p].at, on_.command);
-    const Vector3<double> turn = rotation_vector<double>(told.linear().transpose() * seen.linear());
+    const Vector3<double> turn = rotation_vector<double>(told[p].transpose() * seen.linear());
     for (std::size_t axis = 0; axis < 3; ++axis)
       row(Channel(Channel::Name::turn, 3 * p + axis, arm_.size()).column) =
           turn(static_cast<Eigen::Index>(axis));
   }
   if (!reads(Channel(Channel::Name::drive, 0, arm_.size()))) return;
-  const ArmLoads<double> at = loads(posture);
+  const Vector<double> force = forces(ArmPosture<double>(arm_, coordinate_), coordinate_);
   for (std::size_t i = 0; i < joint_.size(); ++i)
     row(Channel(Channel::Name::drive, i, arm_.size()).column) =
-        on_.rig.torque_read[i].shown(torque_of_drive(i, at.force(joint_[i])));
+        on_.rig.torque_read[i].shown(torque_of_drive(i, force(joint_[i])));
 }
 
 }  // namespace plumbline::diagnose

@@ -2,6 +2,7 @@
 /// \file
 /// An arm in one run: its posture, and the memory of its joints.
 
+#include <optional>
 #include <plumbline/arm/arm_equilibrium.hpp>
 #include <vector>
 
@@ -23,34 +24,45 @@ class ArmTraveller {
   /// Comes to rest there: Newton's method, with contacts of the joints that settle on the way.
   /// \returns false where there is no rest near the command
   bool settle();
-  /// Prepares settle_beside() of others.
-  void prepare();
   /// The same beside an arm that differs little and has come to rest: its contacts hold, and a chord step by
-  /// its tangent leads there.
+  /// its tangent leads there, to first order.
   bool settle_beside(const ArmTraveller& other);
   /// Keeps the joints in mind as they are.
   void remember();
   /// The channels of the reading, as a row of a trace.
-  void write(Eigen::Ref<Eigen::ArrayXd> row) const;
+  /// \param told  orientations of the points on the nominal arm, by which theirs are told
+  void write(Eigen::Ref<Eigen::ArrayXd> row, const std::vector<Eigen::Matrix3d>& told) const;
 
  private:
   /// Lets what has slid out bend by its length, which Rig::flexibility makes yield in an arm.
   void extend(const std::vector<double>& command);
+  /// Numbers of the freedoms that another arm has too, in its order.
+  [[nodiscard]] std::vector<Eigen::Index> shared_with(const ArmTraveller& other) const;
   /// The compliance of all freedoms, of the arm as it is.
   void soften();
   /// Lengthens the arm by the temperature of a reading.
   void expand(const Reading& reading);
   /// A place on a link at that temperature.
   [[nodiscard]] OnLink<double> expanded(OnLink<double> at) const;
-  [[nodiscard]] Vector3<double> turn_of_tool(const ArmPosture<double>& posture) const;
-  [[nodiscard]] Pose<double> of(const OnLink<double>& point, const ArmPosture<double>& posture,
-                                const Vector3<double>& tool_turn) const;
+  /// A frame of the posture, moved to first order to where the arm stands.
+  /// \param movers  number of freedoms that move it
+  [[nodiscard]] Pose<double> moved(Pose<double> frame, std::size_t movers) const;
+  [[nodiscard]] Vector3<double> turn_of_tool() const;
+  [[nodiscard]] Pose<double> of(const OnLink<double>& point, const Vector3<double>& tool_turn) const;
   void hold_weight();
-  /// Loads at a posture: of gravity, wrenches and balances, less what the servos hold.
-  [[nodiscard]] ArmLoads<double> loads(const ArmPosture<double>& posture) const;
-  /// Residual of all freedoms in their coordinates, and its derivatives.
-  void balance(const ArmLoads<double>& at, Vector<double>& residual, Matrix<double>& slope) const;
-  void couple(Vector<double>& residual, Matrix<double>& slope) const;
+  /// Begins a step of Newton's method at coordinates.
+  void stand_at(Vector<double> coordinates);
+  /// What springs in the structure add to the load of a joint.
+  [[nodiscard]] Torque balance(std::size_t joint, double coordinate) const;
+  /// Generalised forces of gravity, wrenches and balances, less what the servos hold.
+  [[nodiscard]] Vector<double> forces(const ArmPosture<double>& posture,
+                                      const Vector<double>& coordinates) const;
+  /// Residual of all freedoms at the posture, in their coordinates.
+  [[nodiscard]] Vector<double> residual(const Vector<double>& force) const;
+  /// Its derivatives, by those of the forces.
+  [[nodiscard]] Matrix<double> tangent(const Matrix<double>& stiffness) const;
+  /// The torque on a joint of the springs that couple it to its neighbours.
+  [[nodiscard]] double from_neighbours(std::size_t joint) const;
   /// \returns the length of the longest step
   double newton_step();
   /// The same for an arm on a mount that yields.
@@ -82,10 +94,11 @@ class ArmTraveller {
   TimeStep interval_;
   Vector<double> target_;  ///< coordinates of the arm that does not yield
   Vector<double> coordinate_;
-  Vector<double> held_;  ///< generalised forces that the servos hold
+  std::optional<ArmPosture<double>> posture_;  ///< where the last step of Newton's method began
+  Vector<double> at_;                          ///< its coordinates
+  Vector<double> held_;                        ///< generalised forces that the servos hold
   std::vector<ArmWrench<double>> wrenches_;
-  Vector<double> residual_;  ///< of the last step, with its derivatives
-  Matrix<double> slope_;
+  Vector<double> residual_;  ///< at the posture, with its derivatives
   Eigen::PartialPivLU<Matrix<double>> tangent_;
   std::vector<double> rest_;        ///< where the joints stood if nothing yielded
   std::vector<double> way_;         ///< of their commands: 1 or -1, 0 before the first motion

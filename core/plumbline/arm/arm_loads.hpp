@@ -39,14 +39,11 @@ struct ArmLoads {
   Matrix<Real> stiffness;  ///< its derivatives
 };
 
-/// Loads beyond each freedom, from the last to the first. Moments have no potential: their part of the
-/// derivatives is not symmetric.
-template <Floating Real>
-ArmLoads<Real> arm_loads(const SerialArm<Real>& arm, const ArmPosture<Real>& posture,
-                         const std::vector<ArmWrench<Real>>& wrenches) {
+/// Calls `visit(k, freedom, beyond)` with the loads beyond each freedom, from the last to the first.
+template <Floating Real, class Visit>
+void for_loads_beyond(const SerialArm<Real>& arm, const ArmPosture<Real>& posture,
+                      const std::vector<ArmWrench<Real>>& wrenches, Visit visit) {
   const std::vector<ArmFreedom<Real>>& freedom = posture.freedoms();
-  const auto n = static_cast<Eigen::Index>(freedom.size());
-  ArmLoads<Real> loads{Vector<Real>(n), Matrix<Real>::Zero(n, n)};
   std::vector<LoadBeyond<Real>> carried(freedom.size() + 1);  // by what so many freedoms move
   for (std::size_t i = 0; i < arm.size(); ++i) {
     // The mass of a link sits before its far end yields.
@@ -59,26 +56,59 @@ ArmLoads<Real> arm_loads(const SerialArm<Real>& arm, const ArmPosture<Real>& pos
     load.moment += one.moment;
   }
   LoadBeyond<Real> beyond;
-  for (Eigen::Index k = n; k-- > 0;) {
-    const LoadBeyond<Real>& here = carried[static_cast<std::size_t>(k) + 1];
+  for (std::size_t k = freedom.size(); k-- > 0;) {
+    const LoadBeyond<Real>& here = carried[k + 1];
     beyond.force += here.force;
     beyond.moment += here.moment;
     beyond.dyad += here.dyad;
-    const ArmFreedom<Real>& one = freedom[static_cast<std::size_t>(k)];
-    const bool slides = one.kind == JointKind::prismatic;
-    loads.force(k) = slides ? one.axis.dot(beyond.force)
-                            : one.axis.dot(beyond.about_origin() - one.origin.cross(beyond.force));
-    // Sum of J_k x F over what is beyond: of (a x r) x F = r (a . F) - a (r . F).
-    const Eigen::Matrix<Real, 3, 3> about = beyond.dyad - one.origin * beyond.force.transpose();
-    const Vector3<Real> turned = slides ? Vector3<Real>(one.axis.cross(beyond.force))
-                                        : Vector3<Real>(about * one.axis - one.axis * about.trace());
-    for (Eigen::Index i = 0; i <= k; ++i) {
-      const ArmFreedom<Real>& before = freedom[static_cast<std::size_t>(i)];
-      if (before.kind == JointKind::prismatic) continue;
-      loads.stiffness(i, k) = loads.stiffness(k, i) = before.axis.dot(turned);
-      if (!slides && i < k) loads.stiffness(k, i) += before.axis.cross(one.axis).dot(beyond.moment);
-    }
+    visit(static_cast<Eigen::Index>(k), freedom[k], beyond);
   }
+}
+
+/// Generalised force of what is beyond a freedom, N m or N.
+template <Floating Real>
+Real force_on(const ArmFreedom<Real>& freedom, const LoadBeyond<Real>& beyond) {
+  return freedom.kind == JointKind::prismatic
+             ? freedom.axis.dot(beyond.force)
+             : freedom.axis.dot(beyond.about_origin() - freedom.origin.cross(beyond.force));
+}
+
+/// Generalised forces on all freedoms.
+template <Floating Real>
+Vector<Real> arm_forces(const SerialArm<Real>& arm, const ArmPosture<Real>& posture,
+                        const std::vector<ArmWrench<Real>>& wrenches) {
+  Vector<Real> force(static_cast<Eigen::Index>(posture.freedoms().size()));
+  for_loads_beyond(arm, posture, wrenches,
+                   [&](Eigen::Index k, const ArmFreedom<Real>& one, const LoadBeyond<Real>& beyond) {
+                     force(k) = force_on(one, beyond);
+                   });
+  return force;
+}
+
+/// The same with their derivatives. Moments have no potential: their part of the derivatives is not
+/// symmetric.
+template <Floating Real>
+ArmLoads<Real> arm_loads(const SerialArm<Real>& arm, const ArmPosture<Real>& posture,
+                         const std::vector<ArmWrench<Real>>& wrenches) {
+  const std::vector<ArmFreedom<Real>>& freedom = posture.freedoms();
+  const auto n = static_cast<Eigen::Index>(freedom.size());
+  ArmLoads<Real> loads{Vector<Real>(n), Matrix<Real>::Zero(n, n)};
+  for_loads_beyond(
+      arm, posture, wrenches,
+      [&](Eigen::Index k, const ArmFreedom<Real>& one, const LoadBeyond<Real>& beyond) {
+        loads.force(k) = force_on(one, beyond);
+        const bool slides = one.kind == JointKind::prismatic;
+        // Sum of J_k x F over what is beyond: of (a x r) x F = r (a . F) - a (r . F).
+        const Eigen::Matrix<Real, 3, 3> about = beyond.dyad - one.origin * beyond.force.transpose();
+        const Vector3<Real> turned = slides ? Vector3<Real>(one.axis.cross(beyond.force))
+                                            : Vector3<Real>(about * one.axis - one.axis * about.trace());
+        for (Eigen::Index i = 0; i <= k; ++i) {
+          const ArmFreedom<Real>& before = freedom[static_cast<std::size_t>(i)];
+          if (before.kind == JointKind::prismatic) continue;
+          loads.stiffness(i, k) = loads.stiffness(k, i) = before.axis.dot(turned);
+          if (!slides && i < k) loads.stiffness(k, i) += before.axis.cross(one.axis).dot(beyond.moment);
+        }
+      });
   return loads;
 }
 

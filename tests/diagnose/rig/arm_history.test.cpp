@@ -132,6 +132,39 @@ TEST_CASE("an effect of amount zero is the nominal arm, another is not, and sens
   }
 }
 
+// One step beside the nominal arm leads to all of them, to links that it does not have bending among them.
+TEST_CASE("sensitivities from nothing on are the quotients of arms that come to rest by themselves") {
+  for (const NominalArm& arm : {industrial_arm(), collaborative_arm()}) {
+    const Study study(arm_bench(arm, 4, {true, true, true}));
+    for (const EffectAt& at : possible_effects(study)) {
+      const std::vector<ParameterRange> ranges = study.ranges(at);
+      const bool grows = std::all_of(ranges.begin(), ranges.end(),
+                                     [](const ParameterRange& range) { return range.may_be_nothing(); });
+      if (at.effect->id == "play" || at.effect->orders || !grows || at.effect->perturbation.large_step ||
+          at.effect->dissipates ||  // kinks
+          !at.effect->perturbation.growing.empty())
+        continue;
+      CAPTURE(at.label());
+      const Candidate candidate{{at}};
+      const std::vector<double> nothing(ranges.size(), 0.0);
+      const Prediction here = predict(study, candidate, nothing, true);
+      REQUIRE(here.reached);
+      for (std::size_t p = 0; p < ranges.size(); ++p) {
+        const double h = 1e-3 * ranges[p].scale;
+        const auto ahead = [&](double step) {
+          std::vector<double> values = nothing;
+          values[p] = step;
+          return study.residual(predict(study, candidate, values));
+        };
+        const VectorXd quotient = (3 * ahead(0) - 4 * ahead(h / 2) + ahead(h)) / h,
+                       slope = study.measurements().in_sigmas(here.sensitivity[p]);
+        // third derivatives over a thousandth of a scale, as above; the step of a sensitivity is shorter
+        CHECK((quotient - slope).cwiseAbs().maxCoeff() < 1e-4 * (1 + slope.cwiseAbs().maxCoeff()));
+      }
+    }
+  }
+}
+
 TEST_CASE("dry friction of a joint leaves it off its rest by its slip torque, on the side it came from") {
   const Study study(commanded_bar(1e4, {-0.5, 0.0, 0.5, 0.0}));
   const Prediction predicted = predict(study, only("joint_friction", 1), {0.7});
