@@ -8,6 +8,7 @@
 #include "diagnose/bench/read_experiment.hpp"
 #include "diagnose/bench/states.hpp"
 #include "diagnose/exchange/read_model.hpp"
+#include "diagnose/inference/imposed_noise.hpp"
 #include "diagnose/rig/user_effects/read_effects.hpp"
 #include "support/files/experiment_files.hpp"
 #include "support/files/text_file.hpp"
@@ -70,8 +71,9 @@ Experiment bench_of(const StudyFiles& files) {
 }
 
 Study study_of(const Experiment& experiment, const std::filesystem::path& effects) {
-  return study_with(decimated(experiment), effects.empty() ? std::vector<StatedEffect>{}
-                                                           : read_effects(effects, experiment.covariates));
+  return study_with(
+      decimated(with_probable_motion(experiment)),
+      effects.empty() ? std::vector<StatedEffect>{} : read_effects(effects, experiment.covariates));
 }
 
 }  // namespace plumbline::diagnose

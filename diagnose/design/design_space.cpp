@@ -69,11 +69,12 @@ std::vector<double> typical(const Study& study, const EffectAt& at) {
   return values;
 }
 
-/// Halves the parameters that can grow from zero.
+/// Halves the parameters that can grow from zero, or whose reciprocals can.
 void halve(const Study& study, Instance& effect) {
   const std::vector<ParameterRange> ranges = study.ranges(effect.candidate);
   for (std::size_t p = 0; p < ranges.size(); ++p)
-    if (ranges[p].may_be_nothing()) effect.parameters[p] /= 2;
+    if (ranges[p].may_be_nothing() || ranges[p].coordinate == Coordinate::reciprocal)
+      effect.parameters[p] /= 2;
 }
 
 /// By candidate run, whether the rig with the effect can follow it.

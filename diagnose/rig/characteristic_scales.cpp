@@ -138,9 +138,10 @@ void find_device(const Experiment& experiment, CharacteristicScales& size) {
 
 /// Which commands change, and whether the temperature does.
 void find_motion(const Experiment& experiment, CharacteristicScales& size) {
-  size.moves.assign(size.joint_stiffness.size(), false);
-  if (experiment.runs.empty()) return;
-  size.least_command = size.largest_command = experiment.runs.front().rest;
+  const std::size_t n = size.joint_stiffness.size();
+  size.moves.assign(n, false);
+  size.least_command = size.largest_command =
+      experiment.runs.empty() ? std::vector<double>(n, 0.0) : experiment.runs.front().rest;
   constexpr double still = 1e-3;  // rad or m
   const bool noted = std::find(experiment.covariates.begin(), experiment.covariates.end(), "temperature") !=
                      experiment.covariates.end();

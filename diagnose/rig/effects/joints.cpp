@@ -168,7 +168,8 @@ std::vector<Effect> joint_effects() {
        .initial_guesses =
            [](const Place& at, const Excitation& nominal) {
              InitialGuesses guesses{{}, 2};
-             const double torque = std::max(nominal.torque, 1e-3 * at.scales.typical_load(at.joint));
+             const double carried = at.scales.stiffness_at(at.joint) * nominal.deflection[at.joint],
+                          torque = std::max(carried, 1e-3 * at.scales.typical_load(at.joint));
              for (const double share : {0.3, 0.6, 0.9}) guesses.points.push_back({1 / (share * torque)});
              return guesses;
            },

@@ -1,6 +1,8 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -94,4 +96,18 @@ TEST_CASE("declared noise of a thirty-third hides no soft spring") {
 
 TEST_CASE("a run that alone is in another unit is explained by no cause of the whole") {
   CHECK(hedges(diagnosed("one-run-in-another-unit")));
+}
+
+TEST_CASE("a servo that stops at 26 degrees, whatever it is told, has a limit of travel there") {
+  const Diagnosis diagnosis = diagnosed("travel-limit");
+  CHECK(diagnosis.cause.verdict == CauseVerdict::identified);
+  REQUIRE(names(diagnosis, {"upper_limit(1)"}));
+  // Thirteen readings there, each to 0.3 degrees.
+  CHECK(std::abs(diagnosis.estimates[0][0].value - 26 * std::numbers::pi / 180) < 4 * 0.0052 / std::sqrt(13));
+}
+
+TEST_CASE("a slider of 10 kN behind a spring with 3 mm of play each way is friction in series with play") {
+  const Diagnosis diagnosis = diagnosed("slider-behind-play");
+  CHECK(diagnosis.cause.verdict == CauseVerdict::identified);
+  CHECK(names(diagnosis, {"backlash(1)", "series_friction(1)"}));
 }

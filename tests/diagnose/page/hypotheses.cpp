@@ -12,6 +12,7 @@
 #include "diagnose/bench/decimate.hpp"
 #include "diagnose/bench/read_experiment.hpp"
 #include "diagnose/decision/verdict.hpp"
+#include "diagnose/inference/imposed_noise.hpp"
 #include "diagnose/inference/prior.hpp"
 #include "diagnose/rig/rig.hpp"
 
@@ -117,7 +118,7 @@ Json all_ways(const Study& study, const Findings& findings) {
 }
 
 Json described(const std::string& folder) {
-  const Study study(decimated(read_experiment(folder, nullptr)));
+  const Study study(decimated(with_probable_motion(read_experiment(folder, nullptr))));
   const Findings findings = search(study);
   const Posterior found = posterior(study, findings);
   const Verdict verdict = decide(found);

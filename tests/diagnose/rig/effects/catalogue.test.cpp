@@ -206,7 +206,7 @@ TEST_CASE("initial guesses are fractions of the excitation of the joints, by han
   check_guesses("joint_stops", 0, stops(0.31, 4), 2);
   for (const char* end : {"upper_limit", "lower_limit"})  // of commands from -0.2 to 0.8
     check_guesses(end, 2, {{-0.1}, {0.1}, {0.3}, {0.5}, {0.7}}, 2);
-  check_guesses("series_friction", 2, {{1 / 0.51}, {1 / 1.02}, {1 / 1.53}}, 2);
+  check_guesses("series_friction", 2, {{1 / 0.207}, {1 / 0.414}, {1 / 0.621}}, 2);  // of 3 times 0.23
   check_guesses("sensor_creep", 0, {{0.05, std::log(2.7)}, {0.05, std::log(9.0)}, {0.05, std::log(27.0)}}, 2);
   const InitialGuesses own =
       other_form("joint_stops").initial_guesses({sizes_by_hand(), 0}, excitation_by_hand());
