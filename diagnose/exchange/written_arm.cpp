@@ -1,5 +1,7 @@
 #include "diagnose/exchange/written_arm.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <plumbline/base/error.hpp>
 
@@ -89,12 +91,20 @@ bool is_of_arm(const Experiment& experiment, const NominalEffect& effect) {
   return all == with;
 }
 
+/// Why a model of an arm has no such effect.
+std::string why_not(const Experiment& experiment, const NominalEffect& effect) {
+  const double flexibility = rig_with_effects(experiment, {effect}).flexibility;
+  if (flexibility == 0) return "no part of an arm's model";
+  return fmt::format("links of this format are rigid: what slides out bends, EI = {:.4g} N m^2",
+                     1 / flexibility);
+}
+
 /// What became of the effects; those that are not of an arm's model are taken out of the experiment.
 std::vector<Carried> take_out_others(Experiment& experiment) {
   std::vector<Carried> others;
   std::erase_if(experiment.effects, [&, bench = experiment](const NominalEffect& effect) {
     if (is_of_arm(bench, effect)) return false;
-    others.push_back({effect.label(), false, "no part of an arm's model"});
+    others.push_back({effect.label(), false, why_not(bench, effect)});
     return true;
   });
   return others;

@@ -142,6 +142,20 @@ TEST_CASE("an arm's corrected file, read on the bench that gave it, predicts wha
   }
 }
 
+TEST_CASE("a column that bends is no part of a file of rigid links, which says with what rigidity it would") {
+  for (const ArmFile& one : arms) {
+    CAPTURE(one.name);
+    const Folder folder;
+    folder.write(one.name, one.text);
+    Experiment bench = on_bench(folder, one.name, arm_in(folder, one.name));
+    bench.effects.push_back({"slide_bending", 0, {{"EI", 1.5e5}}});
+    const Written file = written({"bent", bench, {}, folder / one.name}, format_of(folder / one.name));
+    REQUIRE(file.effects.size() == 1);
+    CHECK_FALSE(file.effects[0].carried);
+    CHECK(file.text.find("EI = 1.5e+05 N m^2") != std::string::npos);
+  }
+}
+
 TEST_CASE(
     "a calibrated arm has its tip where it was solved for; its base is the tracker's matter, and the "
     "bench's") {

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include "tests/diagnose/arms.hpp"
 #include "tests/diagnose/bench.hpp"
 
 using namespace plumbline;
@@ -35,6 +36,12 @@ TEST_CASE("fits of one parameter start at nothing and a scale to either side, wi
   CHECK(from(0, 3) == Vectors{{0}, {2}});
   CHECK(from(-3, 1) == Vectors{{0}, {-2}});
   CHECK(from(-2, 2) == Vectors{{0}});  // not from a bound, where a fit may stay
+}
+
+TEST_CASE("an arm in space rests near its command: fits of one parameter start at nothing alone") {
+  const Study study(arm_bench(industrial_arm(), 2));
+  const Effect row = with_range(2, -3, 3);
+  CHECK(initial_guesses(study, EffectAt(row)).points == std::vector<std::vector<double>>{{0}});
 }
 
 TEST_CASE("starts of several effects are all combinations, in the order of the effects") {
