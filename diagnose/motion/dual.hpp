@@ -39,8 +39,8 @@ struct Dual {
     return {a.value * b.value, a.value * b.derivative + b.value * a.derivative};
   }
   friend Dual operator/(const Dual& a, const Dual& b) {
-    const double ratio = a.value / b.value;
-    return {ratio, (a.derivative - ratio * b.derivative) / b.value};
+    const double ratio = a.value / b.value, share = 1 / b.value;
+    return {ratio, share * (a.derivative - ratio * b.derivative)};
   }
   friend Dual operator+(const Dual& a, double b) { return {a.value + b, a.derivative}; }
   friend Dual operator+(double a, const Dual& b) { return b + a; }

@@ -112,6 +112,23 @@ class Fit {
   const std::vector<Parameter>& parameters_;
 };
 
+/// Whether the logs would show a parameter of the rows at its typical size, the unknown numbers fitted beside
+/// it.
+bool shows_at_typical_size(const Study& study, const Hypothesis& h, const Slope& slope) {
+  const auto unknowns = static_cast<Index>(study.unknowns());
+  MatrixXd unknown = slope.information.topLeftCorner(unknowns, unknowns);
+  unknown.diagonal().array() += std::numeric_limits<double>::min();  // some that no log shows
+  const auto factor = unknown.ldlt();
+  for (std::size_t p = study.unknowns(); p < h.parameters.size(); ++p) {
+    const auto k = static_cast<Index>(p);
+    const VectorXd across = slope.information.col(k).head(unknowns);
+    const double precision = slope.information(k, k) - across.dot(factor.solve(across)),
+                 typical = h.parameters[p].range.scale;
+    if (precision * typical * typical > 1) return true;
+  }
+  return study.unknowns() == h.parameters.size();
+}
+
 /// The prior's volume that the rows' parameters keep, the unknown numbers integrated out.
 double log_volume(const Study& study, const Hypothesis& h, const Slope& slope) {
   diagnose::Volume volume;
@@ -221,7 +238,9 @@ Hypothesis fitted(const Study& study, const Likelihood& likelihood, Candidate ca
   h.values = point.at.values;
   h.begins = point.at.begins;
   h.covariance = covariance_of(h, point.slope.information);
-  h.log_volume = log_volume(study, h, likelihood.slope(point.left, h.look.best));
+  const Slope slope = likelihood.slope(point.left, h.look.best);
+  h.shows = shows_at_typical_size(study, h, slope);
+  h.log_volume = log_volume(study, h, slope);
   return h;
 }
 

@@ -16,6 +16,7 @@ struct Hypothesis {
   Eigen::MatrixXd covariance;  ///< of the parameters; zero rows for those at a bound
   Look look;
   double log_prior = 0;   ///< of the candidate
+  bool shows = true;      ///< the logs would show one of the rows' parameters at its typical size
   double log_volume = 0;  ///< share of the prior's volume that the readings leave to the rows' parameters
   [[nodiscard]] double log_evidence() const { return log_prior + log_volume + look.log_likelihood; }
 };

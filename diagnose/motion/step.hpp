@@ -1,8 +1,7 @@
 #pragma once
 /// \file
 /// One step in time of a driven joint: half a step of the angles, a whole one of the speeds, half a step of
-/// the angles (Störmer-Verlet). Friction is that of Moreau's scheme of impulses: what sticks has the speed
-/// zero to the last bit.
+/// the angles (Störmer-Verlet). What sticks has the speed zero to the last bit.
 
 #include "diagnose/motion/drive.hpp"
 
@@ -43,17 +42,34 @@ Real friction_of(const Drive<Real>& drive, double way, const Real& speed, const 
   return friction;
 }
 
-/// The speed of joint and rotor in one piece, a time h later.
+/// A speed at the end of a step, and its mean over the step.
 template <class Real>
-Real rigid_speed(const Drive<Real>& drive, const Real& load, const Forces<Real>& f, const Real& speed,
-                 double h) {
-  const Real inertia = load + drive[Term::armature];
-  const Real pushed = (inertia - h / 2 * f.damping) * speed + h * (f.motor - f.against);
-  const double way = value_of(pushed) > 0 ? 1 : -1;
-  const Real passed = (f.against * drive[Term::armature] + f.motor * load) / inertia;
-  const Real sliding =
-      (pushed - way * h * friction_of(drive, way, speed, passed)) / (inertia + h / 2 * f.damping);
-  return value_of(sliding) * way > 0 ? sliding : Real(0);
+struct Moved {
+  Real speed, mean;
+};
+
+/// Joint and rotor in one piece, a time h later. A speed that ends within the step ends when it does: what is
+/// left of the step begins at rest, so that stops and turns are as accurate as motion.
+template <class Real>
+Moved<Real> moved_rigid(const Drive<Real>& drive, const Real& load, const Forces<Real>& f, const Real& speed,
+                        double h) {
+  const Real inertia = load + drive[Term::armature], push = f.motor - f.against,
+             passed = (f.against * drive[Term::armature] + f.motor * load) / inertia;
+  const auto slid = [&](double way, const Real& from, const Real& during) {
+    const Real force = push - way * friction_of(drive, way, from, passed), half = during * f.damping / 2.0;
+    return ((inertia - half) * from + during * force) / (inertia + half);
+  };
+  Real rest(h), before(0);  // what is left of the step, and the way until then over it
+  if (const double way = value_of(speed); way != 0) {
+    const Real end = slid(way > 0 ? 1 : -1, speed, Real(h));
+    if (value_of(end) * way > 0) return {end, (speed + end) / 2.0};
+    const Real share = speed / (speed - end);
+    rest = h * (1 - share), before = share * speed / 2.0;
+  }
+  const double way = value_of(push) > 0 ? 1 : -1;
+  const Real end = slid(way, Real(0), rest);
+  if (!(value_of(end) * way > 0)) return {Real(0), before};
+  return {end, before + rest / h * end / 2.0};
 }
 
 /// Rotor and joint with a gear between them that gives way.
@@ -140,10 +156,12 @@ Motion<Real> after(const Drive<Real>& drive, const Imposed<Real>& now, const Mot
     next.v = end.joint / scale;
     next.twisting = (end.rotor - end.joint) / scale;
     next.twist = next.twist + h / 2 * next.twisting;
+    next.q = next.q + h / 2 * next.v;
   } else {
-    next.v = rigid_speed(drive, load, f, scale * from.v, h) / scale;
+    const Moved<Real> moved = moved_rigid(drive, load, f, scale * from.v, h);
+    next.v = moved.speed / scale;
+    next.q = from.q + h * moved.mean / scale;
   }
-  next.q = next.q + h / 2 * next.v;
   return next;
 }
 
