@@ -214,15 +214,15 @@ std::vector<Quantities> Study::numerical_errors(const std::vector<Parameter>& pa
 }
 
 std::vector<SegmentMeans> Study::left(const std::vector<Parameter>& parameters,
-                                      const std::vector<double>& values,
-                                      const std::vector<Begin>& begins) const {
+                                      const std::vector<double>& values, const std::vector<Begin>& begins,
+                                      std::size_t every) const {
   // As many derivatives as there are parameters, in steps of what the processor computes at once.
   const auto of = parameters.size() <= 6    ? &Study::left_of<8>
                   : parameters.size() <= 10 ? &Study::left_of<12>
                                             : &Study::left_of<most_parameters + 2>;
-  std::vector<SegmentMeans> all(segments_.size());
+  std::vector<SegmentMeans> all((segments_.size() + every - 1) / every);
   in_parallel(all.size(), available_threads(),
-              [&](std::size_t s) { all[s] = (this->*of)(s, parameters, values, begins[s]); });
+              [&](std::size_t i) { all[i] = (this->*of)(i * every, parameters, values, begins[i * every]); });
   return all;
 }
 

@@ -92,10 +92,10 @@ class Study {
   [[nodiscard]] std::vector<Quantities> numerical_errors(const std::vector<Parameter>& parameters,
                                                          const std::vector<double>& values,
                                                          const std::vector<Begin>& begins) const;
-  /// What is left of every segment.
+  /// What is left of every segment, or of one in `every` of them.
   [[nodiscard]] std::vector<SegmentMeans> left(const std::vector<Parameter>& parameters,
                                                const std::vector<double>& values,
-                                               const std::vector<Begin>& begins) const;
+                                               const std::vector<Begin>& begins, std::size_t every = 1) const;
 
  private:
   /// Steps by which the stated model computes the motions well within the noise.

@@ -31,9 +31,10 @@ class Fit {
   Fit(const Study& study, const Likelihood& likelihood, const std::vector<Parameter>& parameters)
       : study_(study), likelihood_(likelihood), parameters_(parameters) {}
 
-  [[nodiscard]] Point at(Start start, const Cell& cell) const {
+  /// \param every  of the segments is looked at
+  [[nodiscard]] Point at(Start start, const Cell& cell, std::size_t every = 1) const {
     Point point{std::move(start), {}, {}};
-    point.left = study_.left(parameters_, point.at.values, point.at.begins);
+    point.left = study_.left(parameters_, point.at.values, point.at.begins, every);
     weigh(point, cell);
     return point;
   }
@@ -196,7 +197,9 @@ double log_prior_of(const Study& study, const Candidate& candidate) {
 double forecast(const Study& study, const Likelihood& likelihood, const Candidate& candidate,
                 const Start& start, const Cell& cell) {
   const std::vector<Parameter> parameters = study.parameters(candidate);
-  const Point point = Fit(study, likelihood, parameters).at(start, cell);
+  constexpr std::size_t segments_suffice = 48;  // to rank what is fitted to all of them
+  const std::size_t every = (study.segments().size() + segments_suffice - 1) / segments_suffice;
+  const Point point = Fit(study, likelihood, parameters).at(start, cell, every);
   if (!std::isfinite(point.log_posterior)) return point.log_posterior;
   return point.log_posterior +
          point.slope.gradient.dot(point.slope.information.ldlt().solve(point.slope.gradient)) / 2;

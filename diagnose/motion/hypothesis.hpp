@@ -32,7 +32,8 @@ struct Start {
 /// flat prior.
 Hypothesis fitted(const Study& study, const Likelihood& likelihood, Candidate candidate, Start start);
 
-/// What a fit from this start promises: the log likelihood at the end of one step of Newton's, in one cell.
+/// What a fit from this start promises: the log likelihood at the end of one step of Newton's, in one cell;
+/// of many segments, some suffice.
 double forecast(const Study& study, const Likelihood& likelihood, const Candidate& candidate,
                 const Start& start, const Cell& cell);
 

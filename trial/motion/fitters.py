@@ -14,7 +14,7 @@ import numpy
 from rig import GRAVITY, rigid
 
 STEP = 1e-3  # s
-EVALUATIONS = 1000  # of the error over all logs, by each fit that has no derivatives
+EVALUATIONS = 400  # of the error over all logs, by each fit that has no derivatives
 
 
 class Log:
