@@ -49,6 +49,7 @@ using Quantities = std::array<double, quantity_count>;
 
 /// The means of neighbouring readings of a segment, with their derivatives.
 struct SegmentMeans {
+  std::size_t log;
   std::vector<std::size_t> quantity;  ///< that each is of
   Eigen::VectorXd time;               ///< s
   Eigen::VectorXd residual;           ///< measured - predicted from `begin`, in the unit of its quantity
@@ -86,12 +87,19 @@ class Study {
   [[nodiscard]] std::vector<Begin> rough_begins() const {
     return std::vector<Begin>(segments_.size(), Begin::Zero());
   }
-  /// What is left of every segment.
+  /// The error of the prediction by steps of finite length, root mean square by log: from steps of half the
+  /// length, for it falls with the square of the length.
+  [[nodiscard]] std::vector<Quantities> numerical_errors(const std::vector<Parameter>& parameters,
+                                                         const std::vector<double>& values,
+                                                         const std::vector<Begin>& begins) const;
+  /// What is left of every segment, or of one in `every` of them.
   [[nodiscard]] std::vector<SegmentMeans> left(const std::vector<Parameter>& parameters,
                                                const std::vector<double>& values,
-                                               const std::vector<Begin>& begins) const;
+                                               const std::vector<Begin>& begins, std::size_t every = 1) const;
 
  private:
+  /// Steps by which the stated model computes the motions well within the noise.
+  void resolve_motions();
   template <int size>
   [[nodiscard]] SegmentMeans left_of(std::size_t segment, const std::vector<Parameter>& parameters,
                                      const std::vector<double>& values, const Begin& begin) const;

@@ -108,6 +108,16 @@ struct Motion {
   [[nodiscard]] Real reading(EncoderSide side) const { return side == EncoderSide::joint ? q : q + twist; }
 };
 
+/// The joint's angle, or speed, where its encoder reads this one; and the other way round.
+template <class Real>
+Real joint_angle(const Drive<Real>& drive, const Real& reading) {
+  return drive.has(Term::encoder_scale) ? (1 + drive[Term::encoder_scale]) * reading : reading;
+}
+template <class Real>
+Real encoder_angle(const Drive<Real>& drive, const Real& angle) {
+  return drive.has(Term::encoder_scale) ? angle / (1 + drive[Term::encoder_scale]) : angle;
+}
+
 template <class Real>
 Real limited(const Real& x, const Real& limit) {
   return x > limit ? limit : x < -limit ? -limit : x;
@@ -116,8 +126,10 @@ Real limited(const Real& x, const Real& limit) {
 /// The duty that the servo asks for.
 template <class Real>
 Real asked_duty(const Drive<Real>& drive, double gain, const Real& reference, const Real& reading) {
-  Real error = (1 + drive[Term::command_scale]) * reference + drive[Term::command_offset] - reading;
-  error = error - limited(error, drive[Term::dead_band]);
+  Real error = reference - reading;
+  if (drive.has(Term::command_scale)) error = error + drive[Term::command_scale] * reference;
+  if (drive.has(Term::command_offset)) error = error + drive[Term::command_offset];
+  if (drive.has(Term::dead_band)) error = error - limited(error, drive[Term::dead_band]);
   return limited<Real>(gain * error, 1 - drive[Term::duty_missing]);
 }
 

@@ -7,7 +7,8 @@
 
 namespace plumbline::motion {
 
-/// A double and its derivatives by `size` variables. Comparisons look at the value alone.
+/// A double and its derivatives by `size` variables. Comparisons look at the value alone. Most of the time of
+/// a diagnosis is spent in these operators, which are too many for the compiler to inline unasked.
 /// \code{.cpp}
 /// const Dual<1> x = Dual<1>::variable(0.5, 0);
 /// assert((x * x).derivative(0) == 1.0);
@@ -28,27 +29,35 @@ struct Dual {
     return x;
   }
 
-  friend Dual operator-(const Dual& a) { return {-a.value, -a.derivative}; }
-  friend Dual operator+(const Dual& a, const Dual& b) {
+  [[gnu::always_inline]] friend Dual operator-(const Dual& a) { return {-a.value, -a.derivative}; }
+  [[gnu::always_inline]] friend Dual operator+(const Dual& a, const Dual& b) {
     return {a.value + b.value, a.derivative + b.derivative};
   }
-  friend Dual operator-(const Dual& a, const Dual& b) {
+  [[gnu::always_inline]] friend Dual operator-(const Dual& a, const Dual& b) {
     return {a.value - b.value, a.derivative - b.derivative};
   }
-  friend Dual operator*(const Dual& a, const Dual& b) {
+  [[gnu::always_inline]] friend Dual operator*(const Dual& a, const Dual& b) {
     return {a.value * b.value, a.value * b.derivative + b.value * a.derivative};
   }
-  friend Dual operator/(const Dual& a, const Dual& b) {
-    const double ratio = a.value / b.value;
-    return {ratio, (a.derivative - ratio * b.derivative) / b.value};
+  [[gnu::always_inline]] friend Dual operator/(const Dual& a, const Dual& b) {
+    const double ratio = a.value / b.value, share = 1 / b.value;
+    return {ratio, share * (a.derivative - ratio * b.derivative)};
   }
-  friend Dual operator+(const Dual& a, double b) { return {a.value + b, a.derivative}; }
-  friend Dual operator+(double a, const Dual& b) { return b + a; }
-  friend Dual operator-(const Dual& a, double b) { return {a.value - b, a.derivative}; }
-  friend Dual operator-(double a, const Dual& b) { return {a - b.value, -b.derivative}; }
-  friend Dual operator*(const Dual& a, double b) { return {a.value * b, a.derivative * b}; }
-  friend Dual operator*(double a, const Dual& b) { return b * a; }
-  friend Dual operator/(const Dual& a, double b) { return a * (1 / b); }
+  [[gnu::always_inline]] friend Dual operator+(const Dual& a, double b) {
+    return {a.value + b, a.derivative};
+  }
+  [[gnu::always_inline]] friend Dual operator+(double a, const Dual& b) { return b + a; }
+  [[gnu::always_inline]] friend Dual operator-(const Dual& a, double b) {
+    return {a.value - b, a.derivative};
+  }
+  [[gnu::always_inline]] friend Dual operator-(double a, const Dual& b) {
+    return {a - b.value, -b.derivative};
+  }
+  [[gnu::always_inline]] friend Dual operator*(const Dual& a, double b) {
+    return {a.value * b, a.derivative * b};
+  }
+  [[gnu::always_inline]] friend Dual operator*(double a, const Dual& b) { return b * a; }
+  [[gnu::always_inline]] friend Dual operator/(const Dual& a, double b) { return a * (1 / b); }
   friend bool operator<(const Dual& a, const Dual& b) { return a.value < b.value; }
   friend bool operator>(const Dual& a, const Dual& b) { return b < a; }
 };

@@ -31,9 +31,10 @@ class Fit {
   Fit(const Study& study, const Likelihood& likelihood, const std::vector<Parameter>& parameters)
       : study_(study), likelihood_(likelihood), parameters_(parameters) {}
 
-  [[nodiscard]] Point at(Start start, const Cell& cell) const {
+  /// \param every  of the segments is looked at
+  [[nodiscard]] Point at(Start start, const Cell& cell, std::size_t every = 1) const {
     Point point{std::move(start), {}, {}};
-    point.left = study_.left(parameters_, point.at.values, point.at.begins);
+    point.left = study_.left(parameters_, point.at.values, point.at.begins, every);
     weigh(point, cell);
     return point;
   }
@@ -112,6 +113,23 @@ class Fit {
   const std::vector<Parameter>& parameters_;
 };
 
+/// Whether the logs would show a parameter of the rows at its typical size, the unknown numbers fitted beside
+/// it.
+bool shows_at_typical_size(const Study& study, const Hypothesis& h, const Slope& slope) {
+  const auto unknowns = static_cast<Index>(study.unknowns());
+  MatrixXd unknown = slope.information.topLeftCorner(unknowns, unknowns);
+  unknown.diagonal().array() += std::numeric_limits<double>::min();  // some that no log shows
+  const auto factor = unknown.ldlt();
+  for (std::size_t p = study.unknowns(); p < h.parameters.size(); ++p) {
+    const auto k = static_cast<Index>(p);
+    const VectorXd across = slope.information.col(k).head(unknowns);
+    const double precision = slope.information(k, k) - across.dot(factor.solve(across)),
+                 typical = h.parameters[p].range.scale;
+    if (precision * typical * typical > 1) return true;
+  }
+  return study.unknowns() == h.parameters.size();
+}
+
 /// The prior's volume that the rows' parameters keep, the unknown numbers integrated out.
 double log_volume(const Study& study, const Hypothesis& h, const Slope& slope) {
   diagnose::Volume volume;
@@ -179,7 +197,9 @@ double log_prior_of(const Study& study, const Candidate& candidate) {
 double forecast(const Study& study, const Likelihood& likelihood, const Candidate& candidate,
                 const Start& start, const Cell& cell) {
   const std::vector<Parameter> parameters = study.parameters(candidate);
-  const Point point = Fit(study, likelihood, parameters).at(start, cell);
+  constexpr std::size_t segments_suffice = 48;  // to rank what is fitted to all of them
+  const std::size_t every = (study.segments().size() + segments_suffice - 1) / segments_suffice;
+  const Point point = Fit(study, likelihood, parameters).at(start, cell, every);
   if (!std::isfinite(point.log_posterior)) return point.log_posterior;
   return point.log_posterior +
          point.slope.gradient.dot(point.slope.information.ldlt().solve(point.slope.gradient)) / 2;
@@ -221,7 +241,9 @@ Hypothesis fitted(const Study& study, const Likelihood& likelihood, Candidate ca
   h.values = point.at.values;
   h.begins = point.at.begins;
   h.covariance = covariance_of(h, point.slope.information);
-  h.log_volume = log_volume(study, h, likelihood.slope(point.left, h.look.best));
+  const Slope slope = likelihood.slope(point.left, h.look.best);
+  h.shows = shows_at_typical_size(study, h, slope);
+  h.log_volume = log_volume(study, h, slope);
   return h;
 }
 

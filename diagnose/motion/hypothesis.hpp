@@ -16,6 +16,7 @@ struct Hypothesis {
   Eigen::MatrixXd covariance;  ///< of the parameters; zero rows for those at a bound
   Look look;
   double log_prior = 0;   ///< of the candidate
+  bool shows = true;      ///< the logs would show one of the rows' parameters at its typical size
   double log_volume = 0;  ///< share of the prior's volume that the readings leave to the rows' parameters
   [[nodiscard]] double log_evidence() const { return log_prior + log_volume + look.log_likelihood; }
 };
@@ -31,7 +32,8 @@ struct Start {
 /// flat prior.
 Hypothesis fitted(const Study& study, const Likelihood& likelihood, Candidate candidate, Start start);
 
-/// What a fit from this start promises: the log likelihood at the end of one step of Newton's, in one cell.
+/// What a fit from this start promises: the log likelihood at the end of one step of Newton's, in one cell;
+/// of many segments, some suffice.
 double forecast(const Study& study, const Likelihood& likelihood, const Candidate& candidate,
                 const Start& start, const Cell& cell);
 

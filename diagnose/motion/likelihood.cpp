@@ -20,20 +20,30 @@ constexpr std::array correlations{0.06, 0.17, 0.5};
 
 }  // namespace
 
-Eigen::MatrixXd Likelihood::covariance(const SegmentMeans& left, const Cell& cell) const {
+/// Covariances of a segment at one time of correlation.
+struct Likelihood::Correlated {
+  Eigen::MatrixXd known;        ///< of the initial state, the noise and the numerical error
+  Eigen::MatrixXd discrepancy;  ///< of one of size one
+  [[nodiscard]] Eigen::MatrixXd covariance(double amplitude) const {
+    return known + amplitude * amplitude * discrepancy;
+  }
+};
+
+Likelihood::Correlated Likelihood::correlated(const SegmentMeans& left, double correlation) const {
   const Eigen::Index n = left.time.size();
-  Eigen::MatrixXd c = left.initial * left.initial.transpose();
-  c.diagonal() += left.variance;
-  if (cell.amplitude == 0) return c;
+  Correlated all{left.initial * left.initial.transpose(), Eigen::MatrixXd::Zero(n, n)};
+  all.known.diagonal() += left.variance;
   for (Eigen::Index i = 0; i < n; ++i) {
     const std::size_t own = left.quantity[static_cast<std::size_t>(i)];
-    const double amplitude = cell.amplitude * units_[own] / unit();
-    for (Eigen::Index j = 0; j < n; ++j)
-      if (left.quantity[static_cast<std::size_t>(j)] == own)
-        c(i, j) +=
-            amplitude * amplitude * std::exp(-std::abs(left.time(i) - left.time(j)) / cell.correlation);
+    const double size = units_[own] / unit(), error = numerical_.empty() ? 0 : numerical_[left.log][own];
+    for (Eigen::Index j = 0; j < n; ++j) {
+      if (left.quantity[static_cast<std::size_t>(j)] != own) continue;
+      const double alike = std::exp(-std::abs(left.time(i) - left.time(j)) / correlation);
+      all.discrepancy(i, j) = size * size * alike;
+      all.known(i, j) += error * error * alike;
+    }
   }
-  return c;
+  return all;
 }
 
 /// Of one segment, whose columns are whitened.
@@ -41,6 +51,16 @@ struct Likelihood::Whitened {
   Eigen::VectorXd residual;
   Eigen::MatrixXd slopes, initial;  ///< where they are wanted
   double log_det;
+
+  Whitened(const SegmentMeans& left, const Eigen::MatrixXd& covariance, bool with_slopes)
+      : residual(left.residual + left.initial * left.begin) {
+    const Eigen::LLT<Eigen::MatrixXd> factor(covariance);
+    factor.matrixL().solveInPlace(residual);
+    log_det = 2 * factor.matrixLLT().diagonal().array().log().sum();
+    if (!with_slopes) return;
+    slopes = factor.matrixL().solve(left.slopes);
+    initial = factor.matrixL().solve(left.initial);
+  }
   [[nodiscard]] double square() const { return residual.squaredNorm(); }
   [[nodiscard]] double log_density() const {
     const auto n = static_cast<double>(residual.size());
@@ -50,23 +70,11 @@ struct Likelihood::Whitened {
   }
 };
 
-Likelihood::Whitened Likelihood::whitened(const SegmentMeans& left, const Cell& cell,
-                                          bool with_slopes) const {
-  const Eigen::LLT<Eigen::MatrixXd> factor(covariance(left, cell));
-  Whitened white{left.residual + left.initial * left.begin, {}, {}, 0};
-  factor.matrixL().solveInPlace(white.residual);
-  white.log_det = 2 * factor.matrixLLT().diagonal().array().log().sum();
-  if (!with_slopes) return white;
-  white.slopes = factor.matrixL().solve(left.slopes);
-  white.initial = factor.matrixL().solve(left.initial);
-  return white;
-}
-
 Slope Likelihood::slope(const std::vector<SegmentMeans>& left, const Cell& cell) const {
   const Eigen::Index parameters = left.front().slopes.cols();
   Slope sum{0, Eigen::VectorXd::Zero(parameters), Eigen::MatrixXd::Zero(parameters, parameters), {}, {}};
   for (const SegmentMeans& one : left) {
-    const Whitened white = whitened(one, cell, true);
+    const Whitened white(one, correlated(one, cell.correlation).covariance(cell.amplitude), true);
     const double weight = (freedom + static_cast<double>(one.time.size())) / (freedom + white.square());
     sum.log_likelihood += white.log_density();
     sum.gradient += weight * white.slopes.transpose() * white.residual;
@@ -79,14 +87,20 @@ Slope Likelihood::slope(const std::vector<SegmentMeans>& left, const Cell& cell)
 
 Look Likelihood::look(const std::vector<SegmentMeans>& left) const {
   const std::size_t sizes = priors_.amplitude.size();
-  std::vector<std::array<double, correlations.size()>> by_cell(sizes);
-  in_parallel(sizes, available_threads(), [&](std::size_t a) {
+  using ByCell = std::vector<std::array<double, correlations.size()>>;
+  std::vector<ByCell> by_segment(left.size(), ByCell(sizes));
+  in_parallel(left.size(), available_threads(), [&](std::size_t s) {
     for (std::size_t c = 0; c < correlations.size(); ++c) {
-      by_cell[a][c] = 0;
-      const Cell cell{unit() * priors_.amplitude[a], correlations[c]};
-      for (const SegmentMeans& one : left) by_cell[a][c] += whitened(one, cell, false).log_density();
+      const Correlated all = correlated(left[s], correlations[c]);
+      for (std::size_t a = 0; a < sizes; ++a)
+        by_segment[s][a][c] =
+            Whitened(left[s], all.covariance(unit() * priors_.amplitude[a]), false).log_density();
     }
   });
+  ByCell by_cell(sizes, {0, 0, 0});
+  for (const ByCell& one : by_segment)
+    for (std::size_t a = 0; a < sizes; ++a)
+      for (std::size_t c = 0; c < correlations.size(); ++c) by_cell[a][c] += one[a][c];
   Look look{{}, {0, correlations[0]}, 0};
   double best = -std::numeric_limits<double>::infinity();
   for (std::size_t a = 0; a < sizes; ++a) {

@@ -2,7 +2,11 @@
 /// \file
 /// The likelihood of what a model leaves of the segments.
 ///
-///   residual = initial state + delta + noise,  delta ~ N(0, A^2 exp(-|t - t'| / tau)), one of each quantity
+///   residual = initial state + delta + noise,  delta ~ N(0, (A^2 + e^2) exp(-|t - t'| / tau)), one of each
+///   quantity
+///
+/// Beside the discrepancy A stands e, the error of the prediction by steps of finite length: no drive is
+/// modelled better than its motion is computed.
 ///
 /// The initial state and delta are summed out; the motion is linear in the initial state about the one that
 /// it was computed from, which fits move to the most probable one. Each segment has a scale of its own, which
@@ -39,7 +43,9 @@ class Likelihood {
   /// \param units    of the sizes of the discrepancy, by quantity: what the nominal model leaves, root mean
   ///                 square; a discrepancy has the same share of them in every quantity
   /// \param outside  what a cause outside of the catalogue typically changes, rad
-  Likelihood(const Quantities& units, double outside) : units_(units), priors_(diagnose::full_model()) {
+  /// \param numerical  errors of the prediction, by log; none where it is empty
+  Likelihood(const Quantities& units, double outside, std::vector<Quantities> numerical = {})
+      : units_(units), numerical_(std::move(numerical)), priors_(diagnose::full_model()) {
     priors_.set_outside(outside / unit());
   }
 
@@ -49,11 +55,12 @@ class Likelihood {
   [[nodiscard]] Look look(const std::vector<SegmentMeans>& left) const;
 
  private:
-  [[nodiscard]] Eigen::MatrixXd covariance(const SegmentMeans& left, const Cell& cell) const;
+  struct Correlated;
   struct Whitened;
-  [[nodiscard]] Whitened whitened(const SegmentMeans& left, const Cell& cell, bool with_slopes) const;
+  [[nodiscard]] Correlated correlated(const SegmentMeans& left, double correlation) const;
 
   Quantities units_;
+  std::vector<Quantities> numerical_;
   diagnose::Hyperpriors priors_;
 };
 

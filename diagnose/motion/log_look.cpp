@@ -32,10 +32,14 @@ double range_of(const std::vector<double>& values) {
 void mend_spikes(MotionLog& log, double sigma) {
   // So far beside a straight line of neighbours that neither noise nor motion gets there and back.
   constexpr double in_sigmas = 25, beside_motion = 5;
-  for (std::size_t k = 1; k + 1 < log.position.size(); ++k) {
-    const double before = log.position[k - 1], after = log.position[k + 1], between = (before + after) / 2;
-    const double away = std::abs(log.position[k] - between);
-    if (away < in_sigmas * sigma || away < beside_motion * std::abs(after - before)) continue;
+  const std::vector<double>& q = log.position;
+  for (std::size_t k = 1; k + 1 < q.size(); ++k) {
+    const double between = (q[k - 1] + q[k + 1]) / 2, away = std::abs(q[k] - between);
+    // Where a fast motion turns, the neighbours agree, and move as far before and after.
+    double moved = std::abs(q[k + 1] - q[k - 1]);
+    if (k > 1) moved = std::max(moved, std::abs(q[k - 1] - q[k - 2]));
+    if (k + 2 < q.size()) moved = std::max(moved, std::abs(q[k + 2] - q[k + 1]));
+    if (away < in_sigmas * sigma || away < beside_motion * moved) continue;
     log.position[k] = between;
     ++log.spikes;
   }

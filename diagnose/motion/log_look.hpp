@@ -16,7 +16,7 @@ struct LogsLook {
   std::size_t spikes = 0;
 };
 
-/// Replaces isolated readings of position, far from both neighbours that agree, by the neighbours' mean.
+/// Replaces isolated readings of position, far from neighbours that agree, by the mean of the nearest two.
 /// \param sigma  standard deviation of a reading, rad
 void mend_spikes(MotionLog& log, double sigma);
 

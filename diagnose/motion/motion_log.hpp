@@ -35,6 +35,7 @@ struct MotionLog {
 struct Segment {
   std::size_t log;
   std::size_t first, end;  ///< readings
+  double step = 0.002;     ///< longest one of a roll-out, s
 };
 
 /// Angle, speed and acceleration at a reading, from a parabola through its neighbours.

@@ -27,16 +27,19 @@ std::vector<Course> courses(double size) {
       all.push_back({fmt::format("a sine of {:.2g} rad at {:g} Hz", a, hertz),
                      [a, hertz](double t) { return a * std::sin(2 * std::numbers::pi * hertz * t); }});
     all.push_back({fmt::format("a step of {:.2g} rad", a), [a](double t) { return t < 0.5 ? 0 : a; }});
+    all.push_back({fmt::format("a sweep of {:.2g} rad from 0 to 5 Hz", a),
+                   [a](double t) { return a * std::sin(std::numbers::pi * 0.5 * t * t); }});
     all.push_back({fmt::format("a ramp to {:.2g} rad in 8 s, and back in 2 s", a),
                    [a](double t) { return t < 8 ? a * t / 8 : a * std::max(0.0, 1 - (t - 8) / 2); }});
   }
   return all;
 }
 
-/// Ten seconds at 100 Hz, by the servo and the load of a log.
-MotionLog log_of(const MotionLog& like, double supply, const Course& course) {
+/// Ten seconds at 100 Hz, by the servo of a log, with its load or without.
+MotionLog log_of(const MotionLog& like, double supply, const Course& course, bool loaded) {
   MotionLog log;
-  log.encoder = like.encoder, log.gain = like.gain, log.inertia = like.inertia, log.gravity = like.gravity;
+  log.encoder = like.encoder, log.gain = like.gain;
+  if (loaded) log.inertia = like.inertia, log.gravity = like.gravity;
   for (int k = 0; k < 1000; ++k) {
     log.time.push_back(0.01 * k);
     log.command.push_back(course.at(log.time.back()));
@@ -64,13 +67,20 @@ std::optional<NextMotion> next_motion(const Bench& bench, const Drive<double>& o
     for (const double command : log.command) size = std::max(size, std::abs(command));
   const double supply = Sizes(bench.logs).supply;
   std::optional<NextMotion> best;
+  // A rotor alone moves by an equation where it has an inertia, and no gear between it and nothing.
+  const auto may_be_bare = [](const Drive<double>& drive) {
+    return drive[Term::armature] > 0 && !drive.gives_way();
+  };
   std::set<double> gains;
   for (const MotionLog& log : bench.logs) {
     if (!gains.insert(log.gain).second) continue;
-    for (const Course& course : courses(size)) {
-      const double apart = apart_in(log_of(log, supply, course), one, other);
-      if (apart > (best ? best->apart : bench.sigma)) best = {course.words, log.gain, apart};
-    }
+    for (const bool loaded : {true, false})
+      for (const Course& course : courses(size)) {
+        if (!loaded && !(may_be_bare(one) && may_be_bare(other))) continue;
+        const double apart = apart_in(log_of(log, supply, course, loaded), one, other);
+        if (apart > (best ? best->apart : bench.sigma))
+          best = {course.words + (loaded ? "" : " without the load"), log.gain, apart};
+      }
   }
   return best;
 }

@@ -36,9 +36,6 @@ class HeldSignal {
   std::size_t now_ = 0;
 };
 
-/// The longest step of a roll-out, s.
-inline constexpr double longest_step = 0.002;
-
 /// The drive by a clock that runs fast or slow: what has the dimension of time, in the time of the stamps.
 template <class Real>
 Drive<Real> by_stamps(const Drive<Real>& drive) {
@@ -74,8 +71,8 @@ void roll_out(const Drive<Real>& true_drive, const MotionLog& log, const Segment
   Motion<Real> state;
   for (std::size_t k = segment.first; k < segment.end; ++k) {
     now.supply = log.supply[k], now.powered = log.powered[k];
-    const double whole = k + 1 < log.time.size() ? log.time[k + 1] - log.time[k] : longest_step;
-    const double steps = std::ceil(whole / longest_step), h = whole / steps;
+    const double whole = k + 1 < log.time.size() ? log.time[k + 1] - log.time[k] : segment.step;
+    const double steps = std::ceil(whole / segment.step), h = whole / steps;
     now.command = command.mean(log.time[k], h, drive[Term::command_delay]);
     if (k == segment.first) state = begun(drive, now, reading, v, h);
     visit(k - segment.first, state, now);

@@ -43,13 +43,23 @@ Hypothesis nominal_fit(const Study& study, const Likelihood& likelihood) {
   return best;
 }
 
+/// Some of the logs of a bench, evenly spread: enough for fits that other ones begin at.
+Bench some_of(const Bench& bench) {
+  constexpr std::size_t logs_suffice = 12;
+  const std::size_t every = (bench.logs.size() + logs_suffice - 1) / logs_suffice;
+  Bench some = bench;
+  some.logs.clear();
+  for (std::size_t i = 0; i < bench.logs.size(); i += every) some.logs.push_back(bench.logs[i]);
+  return some;
+}
+
 std::set<const Row*> rows_of(const Candidate& candidate) {
   return {candidate.rows.begin(), candidate.rows.end()};
 }
 
 class Searcher {
  public:
-  explicit Searcher(const Study& study) : study_(study), short_study_(study.bench(), short_segment) {
+  explicit Searcher(const Study& study) : study_(study), short_study_(some_of(study.bench()), short_segment) {
     const Hypothesis rough =
         fitted(study, far_likelihood(study), {},
                {nominal_fit(short_study_, far_likelihood(study)).values, study.rough_begins()});
@@ -57,7 +67,8 @@ class Searcher {
     const Quantities least = study.sigmas();
     for (std::size_t q = 0; q < quantity_count; ++q) units[q] = std::max(units[q], least[q]);
     found_.likelihood =
-        std::make_shared<Likelihood>(units, diagnose::priors::typical_outside * study.sizes().angle);
+        std::make_shared<Likelihood>(units, diagnose::priors::typical_outside * study.sizes().angle,
+                                     study.numerical_errors(rough.parameters, rough.values, rough.begins));
     found_.nominal = fitted(study, *found_.likelihood, {}, {rough.values, rough.begins});
   }
 
@@ -76,6 +87,7 @@ class Searcher {
     keep(std::move(level));
     std::sort(found_.hypotheses.begin(), found_.hypotheses.end(), more_evidence);
     simplify();
+    leave_out_idle();
     return std::move(found_);
   }
 
@@ -111,6 +123,26 @@ class Searcher {
       }
     }
     std::sort(found_.hypotheses.begin(), found_.hypotheses.end(), more_evidence);
+  }
+
+  /// Leaves out rows alone that the logs would not show at their typical size, and rows together that are no
+  /// likelier than without one of them.
+  void leave_out_idle() {
+    constexpr double noticed = 1;  // nat
+    const auto is_idle = [&](const Hypothesis& one) {
+      if (one.candidate.rows.size() == 1) return !one.shows;
+      const std::set<const Row*> rows = rows_of(one.candidate);
+      return std::any_of(found_.hypotheses.begin(), found_.hypotheses.end(), [&](const Hypothesis& other) {
+        const std::set<const Row*> some = rows_of(other.candidate);
+        return some.size() < rows.size() &&
+               std::includes(rows.begin(), rows.end(), some.begin(), some.end()) &&
+               other.look.log_likelihood > one.look.log_likelihood - noticed;
+      });
+    };
+    std::vector<Hypothesis> noticed_ones;
+    for (const Hypothesis& one : found_.hypotheses)
+      if (!is_idle(one)) noticed_ones.push_back(one);
+    found_.hypotheses = std::move(noticed_ones);
   }
 
   Task without(const Hypothesis& from, std::size_t row) const {

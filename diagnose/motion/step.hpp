@@ -1,8 +1,7 @@
 #pragma once
 /// \file
 /// One step in time of a driven joint: half a step of the angles, a whole one of the speeds, half a step of
-/// the angles (Störmer-Verlet). Friction is that of Moreau's scheme of impulses: what sticks has the speed
-/// zero to the last bit.
+/// the angles (Störmer-Verlet). What sticks has the speed zero to the last bit.
 
 #include "diagnose/motion/drive.hpp"
 
@@ -20,10 +19,12 @@ template <class Real>
 Forces<Real> forces_at(const Drive<Real>& drive, const Imposed<Real>& now, const Real& acting,
                        const Real& q) {
   using std::sin;
-  const Real angle = (1 + drive[Term::encoder_scale]) * q + drive[Term::zero];
-  return {now.powered ? drive[Term::stall_torque] * now.supply * acting : Real(0),
-          now.gravity * (1 + drive[Term::load_mass]) * sin(angle) + drive[Term::spring] * angle -
-              drive[Term::torque_offset],
+  const Real angle = joint_angle(drive, q) + drive[Term::zero];
+  Real against = now.gravity * sin(angle);
+  if (drive.has(Term::load_mass)) against = (1 + drive[Term::load_mass]) * against;
+  if (drive.has(Term::spring)) against = against + drive[Term::spring] * angle;
+  if (drive.has(Term::torque_offset)) against = against - drive[Term::torque_offset];
+  return {now.powered ? drive[Term::stall_torque] * now.supply * acting : Real(0), against,
           drive[Term::viscous] + drive[now.powered ? Term::back_emf : Term::brake]};
 }
 
@@ -35,25 +36,45 @@ Forces<Real> forces_at(const Drive<Real>& drive, const Imposed<Real>& now, const
 template <class Real>
 Real friction_of(const Drive<Real>& drive, double way, const Real& speed, const Real& passed) {
   using std::abs, std::exp;
-  const Real& loss = drive[value_of(passed) * way > 0 ? Term::loss_driving : Term::loss_driven];
-  Real friction = drive[Term::dry] + way * drive[Term::direction] + loss * abs(passed);
+  Real friction = drive[Term::dry];
+  if (drive.has(Term::direction)) friction = friction + way * drive[Term::direction];
+  const Term loss = value_of(passed) * way > 0 ? Term::loss_driving : Term::loss_driven;
+  if (drive.has(loss)) friction = friction + drive[loss] * abs(passed);
   if (drive.has(Term::drag)) friction = friction + drive[Term::drag] * speed * speed;
   if (drive.has(Term::dry_rising))
     friction = friction + drive[Term::dry_rising] * exp(-(abs(speed) / drive[Term::rising_speed]));
   return friction;
 }
 
-/// The speed of joint and rotor in one piece, a time h later.
+/// A speed at the end of a step, and its mean over the step.
 template <class Real>
-Real rigid_speed(const Drive<Real>& drive, const Real& load, const Forces<Real>& f, const Real& speed,
-                 double h) {
-  const Real inertia = load + drive[Term::armature];
-  const Real pushed = (inertia - h / 2 * f.damping) * speed + h * (f.motor - f.against);
-  const double way = value_of(pushed) > 0 ? 1 : -1;
-  const Real passed = (f.against * drive[Term::armature] + f.motor * load) / inertia;
-  const Real sliding =
-      (pushed - way * h * friction_of(drive, way, speed, passed)) / (inertia + h / 2 * f.damping);
-  return value_of(sliding) * way > 0 ? sliding : Real(0);
+struct Moved {
+  Real speed, mean;
+};
+
+/// Joint and rotor in one piece, a time h later. A speed that ends within the step ends when it does: what is
+/// left of the step begins at rest, so that stops and turns are as accurate as motion.
+template <class Real>
+Moved<Real> moved_rigid(const Drive<Real>& drive, const Real& load, const Forces<Real>& f, const Real& speed,
+                        double h) {
+  const Real inertia = load + drive[Term::armature], push = f.motor - f.against;
+  const bool loses = drive.has(Term::loss_driving) || drive.has(Term::loss_driven);
+  const Real passed = loses ? (f.against * drive[Term::armature] + f.motor * load) / inertia : Real(0);
+  const auto slid = [&](double way, const Real& from, const auto& during) -> Real {
+    const Real force = push - way * friction_of(drive, way, from, passed), half = during / 2.0 * f.damping;
+    return ((inertia - half) * from + during * force) / (inertia + half);
+  };
+  Real rest(h), before(0);  // what is left of the step, and the way until then over it
+  if (const double way = value_of(speed); way != 0) {
+    const Real end = slid(way > 0 ? 1 : -1, speed, h);
+    if (value_of(end) * way > 0) return {end, (speed + end) / 2.0};
+    const Real share = speed / (speed - end);
+    rest = h * (1 - share), before = share * speed / 2.0;
+  }
+  const double way = value_of(push) > 0 ? 1 : -1;
+  const Real end = slid(way, Real(0), rest);
+  if (!(value_of(end) * way > 0)) return {Real(0), before};
+  return {end, before + rest / h * end / 2.0};
 }
 
 /// Rotor and joint with a gear between them that gives way.
@@ -132,18 +153,20 @@ Motion<Real> after(const Drive<Real>& drive, const Imposed<Real>& now, const Mot
   if (drive.has(Term::drive_lag))
     next.acting = next.acting + (from.acting - next.acting) * exp(Real(-h) / drive[Term::drive_lag]);
   const Forces<Real> f = forces_at(drive, now, next.acting, next.q);
-  const Real scale = 1 + drive[Term::encoder_scale], load = now.inertia * (1 + drive[Term::load_mass]);
+  const Real load = drive.has(Term::load_mass) ? now.inertia * (1 + drive[Term::load_mass]) : now.inertia;
   if (geared) {
-    const Speeds<Real> begin{scale * from.v, scale * (from.v + from.twisting)};
+    const Speeds<Real> begin{joint_angle(drive, from.v), joint_angle(drive, Real(from.v + from.twisting))};
     const Speeds<Real> end =
-        geared_speeds(drive, Gear<Real>(drive, load, h), f, begin, scale * next.twist, h);
-    next.v = end.joint / scale;
-    next.twisting = (end.rotor - end.joint) / scale;
+        geared_speeds(drive, Gear<Real>(drive, load, h), f, begin, joint_angle(drive, next.twist), h);
+    next.v = encoder_angle(drive, end.joint);
+    next.twisting = encoder_angle(drive, Real(end.rotor - end.joint));
     next.twist = next.twist + h / 2 * next.twisting;
+    next.q = next.q + h / 2 * next.v;
   } else {
-    next.v = rigid_speed(drive, load, f, scale * from.v, h) / scale;
+    const Moved<Real> moved = moved_rigid(drive, load, f, joint_angle(drive, from.v), h);
+    next.v = encoder_angle(drive, moved.speed);
+    next.q = from.q + h * encoder_angle(drive, moved.mean);
   }
-  next.q = next.q + h / 2 * next.v;
   return next;
 }
 
@@ -155,9 +178,9 @@ Motion<Real> begun(const Drive<Real>& drive, const Imposed<Real>& now, const Rea
   state.reference = now.command;
   state.acting = asked_duty(drive, now.gain, now.command, reading);
   if (!drive.gives_way()) return state;
-  const Real scale = 1 + drive[Term::encoder_scale], load = now.inertia * (1 + drive[Term::load_mass]);
+  const Real load = now.inertia * (1 + drive[Term::load_mass]);
   const Forces<Real> f = forces_at(drive, now, state.acting, reading);
-  state.twist = Gear<Real>(drive, load, h).twist_under(f.against) / scale;
+  state.twist = encoder_angle(drive, Gear<Real>(drive, load, h).twist_under(f.against));
   if (now.encoder == EncoderSide::motor) state.q = reading - state.twist;
   return state;
 }

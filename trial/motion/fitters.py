@@ -11,10 +11,10 @@ import mujoco.minimize
 import mujoco.rollout
 import numba
 import numpy
-from rig import GRAVITY, RIGID
+from rig import GRAVITY, rigid
 
 STEP = 1e-3  # s
-EVALUATIONS = 1000  # of the error over all logs, by each fit that has no derivatives
+EVALUATIONS = 400  # of the error over all logs, by each fit that has no derivatives
 
 
 class Log:
@@ -41,7 +41,7 @@ def mujoco_model(rig, gain, armature, damping, dry):
         weight = f'<inertial pos="0 0 0" mass="{rig.mass}" diaginertia="{rig.inertia} {rig.inertia} {rig.inertia}"/>'
     return mujoco.MjModel.from_xml_string(
         f'<mujoco><option timestep="{STEP}" integrator="implicitfast" gravity="0 0 {-GRAVITY}"/><worldbody><body>'
-        f'<joint name="j" axis="0 1 0" armature="{armature}" damping="{damping}" frictionloss="{dry}" {RIGID}/>{weight}</body></worldbody>'
+        f'<joint name="j" axis="0 1 0" armature="{armature}" damping="{damping}" frictionloss="{dry}" {rigid(STEP)}/>{weight}</body></worldbody>'
         f'<actuator><position joint="j" kp="{rig.stall * gain}" forcerange="{-rig.stall} {rig.stall}"/></actuator></mujoco>')
 
 

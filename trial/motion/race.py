@@ -68,15 +68,26 @@ def line_of(found, rig, held_out):
     return {**{name: found[name] / truth[name] - 1 for name in NUMBERS}, "held out": held_out}
 
 
-def race(plumbline, folder, number, label, seed):
+def fitters_race(folder, number, seed):
+    """The numbers of each fit of a fixed list."""
     _, rig, *_ = drawn(number, seed)
     fitted, held_out = logs_of(folder)
-    lines = {name: line_of(found, rig, error(predict, held_out)) for name, found, predict in fits(rig, fitted)}
+    return {name: line_of(found, rig, error(predict, held_out)) for name, found, predict in fits(rig, fitted)}
+
+
+def plumbline_line(plumbline, folder, number, label, seed):
+    _, rig, *_ = drawn(number, seed)
     said = diagnosed(plumbline, folder)
     found = {own: next(one["value"] for one in said["drive"] if one["name"] == name) for own, name in NUMBERS.items()}
-    lines["Plumbline"] = line_of(found, rig, statistics.mean(one["after"] for one in said["errors"] if one["held_out"]))
-    lines["Plumbline"]["said"] = answer(label, said)
-    return lines
+    line = line_of(found, rig, statistics.mean(one["after"] for one in said["errors"] if one["held_out"]))
+    return {**line, "said": answer(label, said)}
+
+
+def kept(file, make):
+    """The content of a file, made now where there is none."""
+    if not file.exists():
+        file.write_text(json.dumps(make()))
+    return json.loads(file.read_text())
 
 
 def table(results):
@@ -102,10 +113,10 @@ def main():
     seed, results = int(a.experiments.name.split("-")[1]), []
     a.results.mkdir(parents=True, exist_ok=True)
     for name, number, label in taken(a.labels, a.count):
-        file = a.results / f"{name}.json"
-        if not file.exists():
-            file.write_text(json.dumps(race(a.plumbline.resolve(), a.experiments / name, number, label, seed)))
-        results.append(json.loads(file.read_text()))
+        folder = a.experiments / name
+        fitted = kept(a.results / f"{name}-fits.json", lambda: fitters_race(folder, number, seed))
+        own = kept(a.results / f"{name}-plumbline.json", lambda: plumbline_line(a.plumbline.resolve(), folder, number, label, seed))
+        results.append({**fitted, "Plumbline": own})
         print(name, label["causes"], results[-1]["Plumbline"]["said"],
               {who: round(1e3 * line["held out"], 2) for who, line in results[-1].items()}, flush=True)
         (a.results / "table.md").write_text(

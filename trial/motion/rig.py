@@ -11,8 +11,11 @@ import numpy
 
 STEP = 2e-4
 GRAVITY = 9.81
-# Friction that holds, as dry friction does: MuJoCo's own creeps.
-RIGID = 'solreffriction="0.001 1" solimpfriction="0.9999 0.9999 0.001 0.5 2"'
+
+
+def rigid(step):
+    """Friction that holds, as dry friction does: it stops within one step. MuJoCo's own creeps."""
+    return f'solreffriction="{2 * step} 1" solimpfriction="0.9999 0.9999 0.001 0.5 2"'
 
 
 @dataclass
@@ -64,7 +67,9 @@ def model_of(rig):
     weight = f'<inertial pos="0 0 {-rig.length}" mass="{mass}" diaginertia="1e-9 1e-9 1e-9"/>'  # a point
     if not rig.hangs:  # the same inertia about the axis, balanced
         weight = f'<inertial pos="0 0 0" mass="{mass}" diaginertia="{size} {size} {size}"/>'
-    rotor = f'armature="{rig.armature}" damping="{rig.damping}" frictionloss="{max(0, rig.dry)}" {RIGID}'
+    # Damping acts at the end of MuJoCo's step; with so much less inertia it acts at its middle, and steps are of second order.
+    armature = rig.armature - STEP / 2 * rig.damping
+    rotor = f'armature="{armature}" damping="{rig.damping}" frictionloss="{max(0, rig.dry)}" {rigid(STEP)}'
     spring = f'stiffness="{rig.spring}"' if rig.spring else ""
     if rig.play == 0 and rig.gear_stiffness == math.inf:
         bodies = f'<body><joint name="motor" axis="0 1 0" {rotor} {spring}/>{weight}</body>'
@@ -88,22 +93,27 @@ class Servo:
 
     def __init__(self, rig, gain, first):
         self.rig, self.gain = rig, gain
-        # A torque of MuJoCo's step acts from half a step before it: the mean of two commands is as much late.
+        # A torque of MuJoCo's step acts from half a step before it: half of it is that of the command before.
         self.past = [first] * (1 + round(rig.delay / STEP))
         self.reference, self.acting, self.last = first, None, None
 
-    def torque(self, command, reading, t):
+    def duty(self, reference, reading):
         rig = self.rig
-        self.past.append(command)
-        late = (self.past.pop(0) + self.past[0]) / 2
-        self.reference += max(-rig.speed_limit * STEP, min(rig.speed_limit * STEP, late - self.reference))
-        error = (1 + rig.command_scale) * self.reference + rig.command_offset - reading
+        error = (1 + rig.command_scale) * reference + rig.command_offset - reading
         error -= max(-rig.dead_band, min(rig.dead_band, error))
         duty = self.gain * error
         if self.last is not None:
             duty -= rig.derivative * (reading - self.last) / STEP
+        return max(-rig.duty_limit, min(rig.duty_limit, duty))
+
+    def torque(self, command, reading, t):
+        rig = self.rig
+        self.past.append(command)
+        duty, most = 0.0, rig.speed_limit * STEP / 2
+        for late in (self.past.pop(0), self.past[0]):
+            self.reference += max(-most, min(most, late - self.reference))
+            duty += self.duty(self.reference, reading) / 2
         self.last = reading
-        duty = max(-rig.duty_limit, min(rig.duty_limit, duty))
         share = 1 if rig.lag == 0 or self.acting is None else 1 - math.exp(-STEP / rig.lag)
         self.acting = duty if self.acting is None else self.acting + share * (duty - self.acting)
         return rig.stall * (1 - rig.fading * t) * self.acting

@@ -27,6 +27,13 @@ TEST_CASE("at one speed a delay is friction, and the next motion is one with oth
   CHECK(next->words.find("0.1 Hz") == std::string::npos);
 }
 
+TEST_CASE("another mass of the load shows beside the load alone") {
+  const std::optional<NextMotion> next =
+      next_motion(bench_of(5e-4), planted_drive(Term::load_mass, 0), planted_drive(Term::load_mass, 0.2));
+  REQUIRE(next);
+  CHECK(next->words.find("without the load") == std::string::npos);
+}
+
 TEST_CASE("no motion tells a drive from itself") {
   const Drive<double> drive = planted_drive(Term::dry, 0.02);
   CHECK(!next_motion(bench_of(5e-4), drive, drive));

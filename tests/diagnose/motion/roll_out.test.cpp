@@ -30,6 +30,25 @@ TEST_CASE("a delay of whole readings is a command that is shifted by them") {
   for (std::size_t k = 0; k < late.size(); ++k) CHECK(late[k] == doctest::Approx(other[k]).epsilon(1e-9));
 }
 
+TEST_CASE("the error of a roll-out falls with the square of its step, stops and turns included") {
+  const Drive<double> drive = planted_drive(Term::command_delay, 0);
+  const MotionLog log = test_log(drive, 8, 0);
+  const auto angles = [&](double step) {
+    return angles_of(drive, log, {0, 0, log.time.size(), step}, 0.1, 0.0);
+  };
+  const std::vector<double> exact = angles(1e-4);
+  const auto error = [&](double step) {
+    const std::vector<double> coarse = angles(step);
+    double sum = 0;
+    for (std::size_t k = 0; k < coarse.size(); ++k) sum += std::pow(coarse[k] - exact[k], 2);
+    return std::sqrt(sum);
+  };
+  // Orders of 1 and 3 would be factors of 2 and 8.
+  const double factor = error(0.005) / error(0.0025);
+  CHECK(factor > std::sqrt(2.0 * 4));
+  CHECK(factor < std::sqrt(4.0 * 8));
+}
+
 TEST_CASE("sensitivities are those of differences") {
   using Number = Dual<1>;
   const MotionLog log = test_log(planted_drive(Term::command_delay, 0.02), 8, 0);

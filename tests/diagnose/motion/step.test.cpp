@@ -30,6 +30,24 @@ double momentum(const Motion<double>& state) {
 
 }  // namespace
 
+TEST_CASE("what slides to rest, or turns, under a constant torque does so where Coulomb's law has it") {
+  constexpr double friction = 0.05, h = 0.01, begin = 1.237;
+  for (const double torque : {0.0, -0.03, -0.08}) {  // the last one is more than friction holds
+    CAPTURE(torque);
+    Drive<double> drive = free_gear(Term::torque_offset, torque);
+    drive[Term::dry] = friction;
+    Motion<double> state{0, begin};
+    constexpr int steps = 100;
+    for (int k = 0; k < steps; ++k) state = after(drive, free_wheel(), state, h);
+    const double slower = (friction - torque) / (rotor + load), back = (friction + torque) / (rotor + load),
+                 stops = begin / slower;
+    const double since = back < 0 ? steps * h - stops : 0;
+    // Exact but for rounding: the torque is constant, and the step begins anew where the speed ends.
+    CHECK(state.q == close_to(begin * begin / (2 * slower) + back * since * since / 2));
+    CHECK(state.v == close_to(back * since));
+  }
+}
+
 TEST_CASE("an elastic gear swings by its stiffness and both inertias") {
   constexpr double compliance = 0.05, h = 2e-4;
   const Drive<double> drive = free_gear(Term::gear_compliance, compliance);
