@@ -164,7 +164,8 @@ std::vector<Effect> joint_effects() {
        .parameters = one_of(ParameterKind::slip_torque, "tau_c"),
        .add =
            [](const Addition& to) { to.rig.slip[to.joint] = std::min(to.rig.slip[to.joint], to.value[0]); },
-       .possible = [](const Place& at) { return is_elastic(at) && turns_back(at); },
+       // A servo that slipped would let go of what it holds.
+       .possible = [](const Place& at) { return is_elastic(at) && turns_back(at) && !moves(at); },
        .initial_guesses =
            [](const Place& at, const Excitation& nominal) {
              InitialGuesses guesses{{}, 2};

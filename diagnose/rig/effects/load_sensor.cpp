@@ -74,6 +74,7 @@ std::vector<Effect> first_sensor() {
              to.rig.creep_time = to.value[1];
            },
        .possible = reads_load_over_time,
+       .nested = {"force_gain"},  // of a time constant below the intervals
        .initial_guesses =
            [](const Place& at, const Excitation&) {
              InitialGuesses guesses{{}, 2};

@@ -219,6 +219,8 @@ std::vector<Same> same_predictions() {
       {{"direction_friction"}, {0.02, 0.5}, {"joint_friction"}, {0.03}, left, solved},
       // No joint turns faster than 0.05 rad/s.
       {{"speed_friction"}, {0.02, 0.5, 1e7}, {"joint_friction"}, {0.03}, left, solved},
+      // The cell follows within 1 ms of intervals of 2 s.
+      {{"sensor_creep"}, {0.3, 1e-3}, {"force_gain"}, {0.3}, press, 0.3 * 1e-3 / 2},
       {{"run_tare"}, {0.3, -0.2}, {"force_bias"}, {0.3, -0.2}, press, solved},
       {{"stiffness_spread"}, {0.2, 0.2}, {"stiffness_scale"}, {0.2}, press, solved},
       {{"length_spread"}, {0.01, 0.01}, {"length_scale"}, {0.01}, press, solved},
