@@ -62,6 +62,7 @@ GroupedFit GroupedRegression::iterated(GroupedFit fit, int iterations) const {
   const Eigen::VectorXd product = product_(fit.columns);
   const auto columns = gram.rows();
   Eigen::VectorXd size(columns), mean;
+  Eigen::MatrixXd whitened;  // coefficients over their sizes: L^-1 of their precision L L'
   double variance = std::max(1e-300, fit.noise * fit.noise), log_determinant = 0, left = 0;
   fit.determined.assign(fit.groups.size(), 0);
   for (int i = 0; i <= iterations; ++i) {
@@ -70,16 +71,16 @@ GroupedFit GroupedRegression::iterated(GroupedFit fit, int iterations) const {
     Eigen::MatrixXd precision = size.asDiagonal() * gram * size.asDiagonal() / variance;
     precision.diagonal().array() += 1;
     const Eigen::LLT<Eigen::MatrixXd> factor(precision);
-    const Eigen::MatrixXd inverse = factor.solve(Eigen::MatrixXd::Identity(columns, columns));
-    mean = size.cwiseProduct(inverse * size.cwiseProduct(product)) / variance;
-    fit.covariance = size.asDiagonal() * inverse * size.asDiagonal();
+    whitened = factor.matrixL().solve(Eigen::MatrixXd::Identity(columns, columns));
+    const Eigen::VectorXd spread = whitened.colwise().squaredNorm().transpose();
+    mean = size.cwiseProduct(factor.solve(size.cwiseProduct(product))) / variance;
     log_determinant = 2 * factor.matrixLLT().diagonal().array().log().sum();
     left = squares_ - product.dot(mean);  // of the values, and of the prior
     std::vector<double> square(fit.groups.size(), 0);
     fit.determined.assign(fit.groups.size(), 0);
     for (Eigen::Index c = 0; c < columns; ++c) {
       const std::size_t g = fit.owner[static_cast<std::size_t>(c)];
-      square[g] += mean(c) * mean(c), fit.determined[g] += 1 - inverse(c, c);
+      square[g] += mean(c) * mean(c), fit.determined[g] += 1 - spread(c);
     }
     if (i == iterations) break;
     double all_determined = 0, prior = 0;
@@ -91,6 +92,7 @@ GroupedFit GroupedRegression::iterated(GroupedFit fit, int iterations) const {
     }
     variance = std::max(1e-300, (left - variance * prior) / std::max(1.0, count_ - all_determined));
   }
+  fit.covariance = size.asDiagonal() * (whitened.transpose() * whitened) * size.asDiagonal();
   fit.mean = Eigen::VectorXd::Zero(gram_.rows());
   fit.mean(fit.columns) = mean;
   fit.noise = std::sqrt(variance);
