@@ -99,10 +99,14 @@ struct Basis {
 };
 
 Basis basis_of(const MatrixXd& normal) {
-  constexpr double least = 1e-6;  // of a column beside those before it, over itself
+  constexpr double least = 1e-6;  // of a column beside those before it, over itself; both squared
+  // A column of rounding alone, that of the angles in the model too, over the largest; both squared.
+  constexpr double rounding = 1e-10;
   Basis basis;
+  const double largest = normal.diagonal().maxCoeff();
+  const auto acts = [&](Index k) { return normal(k, k) > rounding * largest; };
   for (Index k = 0; k < normal.cols(); ++k) {
-    if (!(normal(k, k) > 0)) continue;
+    if (!acts(k)) continue;
     const MatrixXd own = normal(basis.terms, basis.terms);
     const VectorXd across = normal(basis.terms, std::vector<Index>{k});
     const double left =
@@ -111,8 +115,12 @@ Basis basis_of(const MatrixXd& normal) {
   }
   const Eigen::LDLT<MatrixXd> own(MatrixXd(normal(basis.terms, basis.terms)));
   basis.grouping = own.solve(MatrixXd(normal(basis.terms, Eigen::all)));
-  constexpr double rounding = 1e-9;
-  basis.grouping = basis.grouping.unaryExpr([](double x) { return std::abs(x) < rounding ? 0.0 : x; });
+  for (std::size_t row = 0; row < basis.terms.size(); ++row)
+    for (Index k = 0; k < normal.cols(); ++k) {
+      double& share = basis.grouping(static_cast<Index>(row), k);
+      const double part = share * share * normal(basis.terms[row], basis.terms[row]);
+      if (!acts(k) || part < least * normal(k, k)) share = 0;
+    }
   return basis;
 }
 

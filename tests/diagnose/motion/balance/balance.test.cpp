@@ -117,6 +117,19 @@ TEST_CASE(
     CHECK(left < 0.02);  // noise of 3e-3 N m, and friction's turns
 }
 
+TEST_CASE(
+    "what no torque depends on is in no number: first moments of a link that turns about the vertical") {
+  diagnose::NominalArm upright = double_pendulum();
+  upright.arm.gravity = {0, 0, -9.81};  // along the axes
+  const Balance balance = balance_of({"pendulum", upright, {log_of(1e-4, 0, 1)}, {}});
+  REQUIRE(!balance.numbers.empty());
+  for (const BalanceNumber& one : balance.numbers) {
+    CAPTURE(one.name);
+    for (const char* term : {"mx(1)", "my(1)", "mz(1)", "mz(2)"})
+      CHECK(one.name.find(term) == std::string::npos);
+  }
+}
+
 TEST_CASE("a torque that is ahead of its motion is told") {
   TorqueBench bench{"pendulum", double_pendulum(), {log_of(1e-4, 0.008, 1)}, {}};
   CHECK(balance_of(bench).lead == close_to(0.008));
