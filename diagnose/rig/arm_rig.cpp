@@ -34,8 +34,8 @@ void add_mass(ArmLink<double>& link, double added, const Vector3<double>& at) {
 
 bool operator==(const ArmRig& a, const ArmRig& b) {
   const auto plain = [](const ArmRig& r) {
-    return std::tie(r.arm, r.expansion, r.mount_compliance, r.tool_compliance, r.tool_play,
-                    r.tool_hinge, r.points, r.load);
+    return std::tie(r.arm, r.expansion, r.mount_compliance, r.tool_compliance, r.tool_play, r.tool_hinge,
+                    r.points, r.load);
   };
   return plain(a) == plain(b);
 }

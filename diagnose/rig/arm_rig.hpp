@@ -13,7 +13,7 @@ namespace plumbline::diagnose {
 struct ArmRig {
   SerialArm<double> arm;  ///< with errors of geometry, masses and compliances
 
-  double expansion = 0;    ///< of all lengths, 1/K, from the temperature of the first reading on
+  double expansion = 0;  ///< of all lengths, 1/K, from the temperature of the first reading on
   /// Turn of the base about its x and y by the moment on it, rad/(N m).
   Eigen::Vector2d mount_compliance = Eigen::Vector2d::Zero();
   // The tool tips about the origin of the last link, in the axes of that link.

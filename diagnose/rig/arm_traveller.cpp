@@ -81,12 +81,8 @@ void ArmTraveller::head_for(const Stop& stop) {
   for (std::size_t i = 0; i < rest_.size(); ++i) {
     if (moved_ && on_.command[i] != before[i]) way_[i] = on_.command[i] > before[i] ? 1 : -1;
     const double rest = on_.joint[i].rest;
-    if (moved_)
-      memory_[i].led = rest - rest_[i];
-    else
-      memory_[i].angle = rest;
-    memory_[i].speed =
-        dt > 0 ? share * memory_[i].turn / dt : 0;  // that of the last step, as the command goes on
+    (moved_ ? memory_[i].led : memory_[i].angle) = moved_ ? rest - rest_[i] : rest;
+    memory_[i].speed = dt > 0 ? share * memory_[i].turn / dt : 0;  // as the command goes on
     rest_[i] = rest;
   }
   expand(reading);
@@ -167,10 +163,10 @@ Vector<double> ArmTraveller::residual(const Vector<double>& force) const {
 }
 
 double ArmTraveller::from_neighbours(std::size_t joint) const {
-  if (on_.rig.coupling == 0) return 0;
-  const auto deflection = [&](std::size_t i) { return at_(joint_[i]) - on_.joint[i].rest; };
-  return on_.rig.coupling *
-         ((joint > 0 ? deflection(joint - 1) : 0) + (joint + 1 < joint_.size() ? deflection(joint + 1) : 0));
+  double deflections = 0;
+  for (const std::size_t i : {joint - 1, joint + 1})  // before the first one there is none, either
+    if (on_.rig.coupling != 0 && i < joint_.size()) deflections += at_(joint_[i]) - on_.joint[i].rest;
+  return on_.rig.coupling * deflections;
 }
 
 Matrix<double> ArmTraveller::tangent(const Matrix<double>& stiffness) const {
@@ -191,9 +187,8 @@ Matrix<double> ArmTraveller::tangent(const Matrix<double>& stiffness) const {
     torque += history_torque(step(), i, q, contacts_of(i));
     slope.row(k) = -stiffness.row(k) / on_.rig.stiffness[i];
     slope(k, k) = std::max(slope(k, k) + torque.slope / on_.rig.stiffness[i], smallest_slope);
-    const double share = on_.rig.coupling / on_.rig.stiffness[i];
-    if (i > 0) slope(k, joint_[i - 1]) -= share;
-    if (i + 1 < joint_.size()) slope(k, joint_[i + 1]) -= share;
+    for (const std::size_t beside : {i - 1, i + 1})
+      if (beside < joint_.size()) slope(k, joint_[beside]) -= on_.rig.coupling / on_.rig.stiffness[i];
   }
   return slope;
 }
