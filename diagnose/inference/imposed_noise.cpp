@@ -58,9 +58,9 @@ class ProbableMotion {
     VectorXd change(weight_.size());
     for (Eigen::Index i = 0; i < change.size(); ++i) change(i) = change_at(i, read_);
     const double first = change.squaredNorm() / static_cast<double>(change.size());
-    double size = first;
     constexpr int rounds = 30;
     constexpr double freedom = 2, least = 1e-9;  // then straight over two hundred readings
+    double size = std::max(first, least);
     for (int round = 0; round < rounds && first > 0; ++round) {
       solve(size);
       double sum = 0;
@@ -71,7 +71,7 @@ class ProbableMotion {
       }
       size = std::max(sum / static_cast<double>(change.size()), least);
     }
-    solve(std::max(size, least));
+    solve(size);
   }
 
   VectorXd value, variance;
@@ -131,10 +131,11 @@ bool is_unclear(const Run& run) {
                      [&](const Reading& one) { return !std::isfinite(run.imposed().front().of(one)); });
 }
 
+/// Whether some run imposes something else, or measures it.
 bool is_measured_elsewhere(const Experiment& experiment, const Channel& imposed) {
   return std::any_of(experiment.runs.begin(), experiment.runs.end(), [&](const Run& run) {
     const std::vector<Channel> measured = run.measured();
-    return run.imposed().front().name != imposed.name || is_unclear(run) ||
+    return run.imposed().front().name != imposed.name ||
            std::find(measured.begin(), measured.end(), imposed) != measured.end();
   });
 }
@@ -149,6 +150,7 @@ Experiment with_probable_motion(Experiment experiment) {
   const std::vector<Trace> passed_on = passed_on_by_one_sigma(experiment);
   for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
     Run& run = experiment.runs[r];
+    if (is_unclear(run)) continue;
     const std::vector<Channel> measured = run.measured();
     VectorXd read(static_cast<Eigen::Index>(run.readings.size()));
     for (Eigen::Index i = 0; i < read.size(); ++i)

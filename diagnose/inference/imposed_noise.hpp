@@ -15,7 +15,8 @@ namespace plumbline::diagnose {
 /// speed from reading to reading but for changes with a Student density of two degrees of freedom, small ones
 /// for the most part, whose size the readings of the run say. What is measured moves along the nominal model
 /// with what is imposed, so that its noise is as it was, independent from reading to reading. Where nothing
-/// imposed has noise, or another run measures it, the experiment is as it was.
+/// imposed has noise, or another run measures it, the experiment is as it was; so is a run of less than four
+/// readings, or with readings without what is imposed.
 Experiment with_probable_motion(Experiment experiment);
 
 /// Variances that the noise of an imposed angle or torque adds to every predicted value of a joint alone,

@@ -69,6 +69,9 @@ class Searcher {
     found_.likelihood =
         std::make_shared<Likelihood>(units, diagnose::priors::typical_outside * study.sizes().angle,
                                      study.numerical_errors(rough.parameters, rough.values, rough.begins));
+    short_likelihood_ = std::make_shared<Likelihood>(
+        units, diagnose::priors::typical_outside * study.sizes().angle,
+        short_study_.numerical_errors(rough.parameters, rough.values, short_study_.rough_begins()));
     found_.nominal = fitted(study, *found_.likelihood, {}, {rough.values, rough.begins});
   }
 
@@ -194,7 +197,7 @@ class Searcher {
   Hypothesis from_afar(const Task& task) const {
     Start start = task.start;
     if (task.candidate.rows.size() == 1)
-      start.values = fitted(short_study_, *found_.likelihood, task.candidate,
+      start.values = fitted(short_study_, *short_likelihood_, task.candidate,
                             {start.values, short_study_.rough_begins()})
                          .values;
     return fitted(study_, *found_.likelihood, task.candidate, std::move(start));
@@ -237,6 +240,7 @@ class Searcher {
 
   const Study& study_;
   const Study short_study_;
+  std::shared_ptr<const Likelihood> short_likelihood_;
   Findings found_;
 };
 

@@ -29,31 +29,17 @@ std::vector<Eigen::Matrix3d> told_orientations(const Experiment& experiment, con
 class ArmWalk {
  public:
   ArmWalk(const Experiment& experiment, const Run& run, const Rig& rig, const std::vector<Rig>& variations)
-      : experiment_(experiment), run_(run), main_(experiment, rig, run, most_contacts(rig, variations)) {
-    beside_.reserve(variations.size());
-    for (const Rig& one : variations)
-      beside_.emplace_back(experiment, one, run, most_contacts(rig, variations));
-    const auto remembers_any = [&](const Rig& one) { return remembers(one, contact_count(one)); };
-    if (remembers_any(rig) || std::any_of(variations.begin(), variations.end(), remembers_any))
-      parts_ = substeps(run, contact_count(rig), rig);
-    else
-      parts_.assign(run.readings.size(), 1);
-  }
+      : ArmWalk(experiment, run, rig, variations, most_contacts(rig, variations)) {}
 
   bool walk(Trace& trace, const std::vector<Trace*>& beside) {
     Eigen::ArrayXd row = Eigen::ArrayXd::Constant(trace.cols(), std::numeric_limits<double>::quiet_NaN()),
                    other = row;
-    if (const auto before = run_.before_first()) {
-      if (!arrive({*before})) return false;
-      remember();
-    }
     const bool turns = reads_turns(run_);
     std::vector<Eigen::Matrix3d> told;
     for (std::size_t r = 0; r < run_.readings.size(); ++r) {
       const auto at = static_cast<Eigen::Index>(r);
       if (turns) told = told_orientations(experiment_, run_.readings[r]);
-      follow(r);
-      if (!arrive({run_.readings[r], last_, r})) return false;
+      if (!follow(r) || !arrive({run_.readings[r], last_, r})) return false;
       main_.write(row, told);
       trace.row(at) = row.transpose();
       for (std::size_t p = 0; p < beside_.size(); ++p) {
@@ -67,20 +53,33 @@ class ArmWalk {
   }
 
  private:
+  /// \param contacts  of each joint, the most that any of the rigs has
+  ArmWalk(const Experiment& experiment, const Run& run, const Rig& rig, const std::vector<Rig>& variations,
+          std::size_t contacts)
+      : experiment_(experiment), run_(run), main_(experiment, rig, run, contacts) {
+    beside_.reserve(variations.size());
+    for (const Rig& one : variations) beside_.emplace_back(experiment, one, run, contacts);
+    const auto remembers_any = [&](const Rig& one) { return remembers(one, contact_count(one)); };
+    if (remembers_any(rig) || std::any_of(variations.begin(), variations.end(), remembers_any))
+      parts_ = substeps(run, contacts, rig);
+    else
+      parts_.assign(run.readings.size(), 1);
+  }
+
   static std::size_t most_contacts(const Rig& rig, const std::vector<Rig>& variations) {
     std::size_t most = contact_count(rig);
     for (const Rig& one : variations) most = std::max(most, contact_count(one));
     return most;
   }
 
-  /// The way to a reading, as far as the arm comes to rest there.
-  void follow(std::size_t r) {
-    if (!last_) return;
-    for (std::size_t part = 1; part < parts_[r]; ++part) {
+  /// The way to a reading.
+  bool follow(std::size_t r) {
+    for (std::size_t part = 1; last_ && part < parts_[r]; ++part) {
       const double share = static_cast<double>(part) / static_cast<double>(parts_[r]);
-      if (!arrive({between(run_.readings[*last_], run_.readings[r], share), last_, r, share})) return;
+      if (!arrive({between(run_.readings[*last_], run_.readings[r], share), last_, r, share})) return false;
       remember();
     }
+    return true;
   }
 
   bool arrive(const Stop& stop) {

@@ -122,11 +122,11 @@ void ArmTraveller::hold_weight() {
   const double share = on_.rig.compensated;
   if (share == 0) return;
   const SerialArm<double>& nominal = experiment_->arm->arm;
-  const ArmLoads<double> weight =
-      arm_loads(nominal, ArmPosture<double>(nominal, commanded(nominal, column(on_.command))), {});
+  const Vector<double> weight =
+      arm_forces(nominal, ArmPosture<double>(nominal, commanded(nominal, column(on_.command))), {});
   Eigen::Index next = 0;
   for (std::size_t i = 0; i < joint_.size(); ++i) {
-    held_(joint_[i]) = share * weight.force(next);
+    held_(joint_[i]) = share * weight(next);
     next += yields(nominal.links[i]) ? 7 : 1;
   }
 }

@@ -157,17 +157,14 @@ void find_motion(const Experiment& experiment, CharacteristicScales& size) {
     }
 }
 
-/// Whether all rest angles are multiples of one shape.
+/// Whether all commands of the joints are multiples of one shape.
 bool led_together(const Experiment& experiment) {
   std::vector<Eigen::VectorXd> all;
-  const auto keep = [&](const std::vector<double>& rest) {
-    all.emplace_back(Eigen::Map<const Eigen::VectorXd>(rest.data(), static_cast<Eigen::Index>(rest.size())));
-  };
-  for (const Run& run : experiment.runs) {
-    keep(run.rest);
-    for (const Reading& reading : run.readings)
-      if (!reading.rest.empty()) keep(reading.rest);
-  }
+  for (const Run& run : experiment.runs)
+    for (const Reading& one : run.readings)
+      if (!one.rest.empty())
+        all.emplace_back(
+            Eigen::Map<const Eigen::VectorXd>(one.rest.data(), static_cast<Eigen::Index>(one.rest.size())));
   const auto farthest = std::max_element(all.begin(), all.end(),
                                          [](const auto& a, const auto& b) { return a.norm() < b.norm(); });
   if (farthest == all.end() || farthest->isZero(0)) return true;

@@ -43,7 +43,7 @@ struct CharacteristicScales {
   bool bent_at_rest = false;          ///< some rest angle, other than that of joint 1, is not zero
   bool drives = false;                ///< a drive moves what is imposed; weights are hung
   std::vector<bool> moves;            ///< by joint, whether its command changes
-  bool led_together = true;  ///< the joints' rest angles are multiples of one shape, as of one tendon
+  bool led_together = true;           ///< commands of the joints are multiples of one shape, as of one tendon
   std::vector<double> least_command, largest_command;  ///< by joint
   bool warms = false;                                  ///< its temperature is noted, and changes
   bool reads_encoders = false;    ///< joint angles are read by the encoders that lead the servos

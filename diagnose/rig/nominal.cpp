@@ -135,7 +135,7 @@ std::vector<double> values_of(const Experiment& experiment, std::size_t number, 
     if (found == own.parameters.end()) throw Error(place, "no such key", "a number");
     const bool above =
         range.coordinate == Coordinate::logarithm || range.coordinate == Coordinate::reciprocal;
-    if (above ? !(found->second > 0) : found->second < 0 && range.low >= 0)
+    if (above ? !(found->second > 0) : found->second < 0 && range.low >= 0 && !range.anywhere)
       throw Error(place, fmt::format("{}", found->second), above ? "a positive number" : "zero or more");
     values.push_back(found->second);
   }

@@ -63,9 +63,12 @@ std::vector<std::size_t> by_way(const Run& run, const Reading& first) {
 std::vector<std::size_t> substeps(const Run& run, std::size_t sliders, const Rig& rig) {
   if (run.readings.empty()) return {};
   const Reading first = run.before_first().value_or(run.readings.front());
-  if (run.commands_joints()) return by_turns(run, first);
-  return slips_on_the_way(sliders, rig) ? by_way(run, first)
-                                        : std::vector<std::size_t>(run.readings.size(), 1);
+  std::vector<std::size_t> all(run.readings.size(), 1);
+  if (run.commands_joints()) all = by_turns(run, first);
+  if (!slips_on_the_way(sliders, rig) || (run.commands_joints() && run.loads.empty())) return all;
+  const std::vector<std::size_t> along = by_way(run, first);
+  for (std::size_t r = 0; r < all.size(); ++r) all[r] = std::max(all[r], along[r]);
+  return all;
 }
 
 bool remembers(const Rig& rig, std::size_t sliders) {

@@ -10,8 +10,8 @@
 namespace plumbline::diagnose {
 
 /// Number of substeps to each reading from the one before it. Commanded links turn by 0.25 rad in one at
-/// most. Where an end is led or loaded there is one where no joint slips, else as many as in proportion to
-/// the distance make 48 to the farthest command of the run.
+/// most. Where an end is led, or loads act along the chain, and joints slip, there are as many besides as in
+/// proportion to the distance make 48 to the farthest command of the run.
 /// \param sliders  of each joint, in the rig and those beside it
 std::vector<std::size_t> substeps(const Run& run, std::size_t sliders, const Rig& rig);
 

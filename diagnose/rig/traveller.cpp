@@ -9,12 +9,13 @@
 namespace plumbline::diagnose {
 
 Vector2 Follower::follow(const Vector2& now, double dt, double time) {
-  if (time > 0 && dt > 0) {
+  if (!begun_ || !(time > 0)) {
+    at_ = now;
+  } else if (dt > 0) {
     const Vector2 behind = (now - led_) / dt * time;
     at_ = now - behind + std::exp(-dt / time) * (at_ - led_ + behind);
-  } else {
-    at_ = now;
   }
+  begun_ = true;
   led_ = now;
   return at_;
 }

@@ -15,12 +15,13 @@ namespace plumbline::diagnose {
 class Follower {
  public:
   /// \param now   changes linearly between readings
-  /// \param dt    time since the last reading, s; 0 at the first
+  /// \param dt    time since the last reading, s
   /// \param time  constant, s
   Vector2 follow(const Vector2& now, double dt, double time);
 
  private:
   Vector2 led_ = Vector2::Zero(), at_ = Vector2::Zero();  ///< at the last reading
+  bool begun_ = false;
 };
 
 class Traveller {

@@ -122,7 +122,7 @@ TEST_CASE("a sizeable amount of each effect, by hand") {
       {"link_bending", {0.3 / (4 * 1.3)}},
       {"axis_tilt", {0.003, 0.003}},
       {"axis_shift", {0.0026, 0.0026, 0.0026}},
-      {"link_centre", {0.026, 0.026, 0.026}},
+      {"link_centre", {0.026, 0.026}},
       {"angle_bias", {0.05}},
       {"angle_scale", {0.01}},
       {"torque_bias", {0.06}},
