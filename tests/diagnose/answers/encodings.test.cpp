@@ -339,8 +339,6 @@ TEST_CASE("each effect of two joints that hold their weight gets one verdict in 
       "encoder_ripple(1)", "encoder_ripple(2)", "joint_balance(1)", "joint_balance(2)", "link_centre(1)",
       // Not one model: a chain's link weighs along its length, an arm's at a point, and does not stretch.
       "link_bending", "axial_compliance",
-      // The joint falls, and an arm rests near its command.
-      "series_friction(1)",
       // 0.995 in a chain, 0.934 in an arm, where ripple makes a pair with it.
       "joint_coupling"};
   for (const EffectAt& at : possible_effects(ideal)) {
