@@ -74,7 +74,7 @@ def read_logs(file: str | os.PathLike[str], joints: Sequence[str] | None = None,
 def _log(run: _Run, place: str, joints: Sequence[str] | None, radians: float) -> pandas.DataFrame:
     if run.time is None:
         raise Error(f"{place}: found no timestamp, expected one of every reading, s")
-    known = run.readings["position"]
+    known = {joint: q for joint, q in run.readings["position"].items() if np.isfinite(q).any()}
     if not known:
         raise Error(f"{place}: found no position, expected that of a joint at least")
     for joint in joints or ():
@@ -188,7 +188,7 @@ def _episodes(folder: pathlib.Path) -> dict[str, _Run]:
         raise Error(f"{folder}: found no package pyarrow, expected it: pip install plumbline[recordings]") from None
     try:
         features = dict(json.loads(settings.read_text(encoding="utf-8")).get("features", {}))
-    except (ValueError, AttributeError):
+    except (ValueError, AttributeError, TypeError):
         raise Error(f"{settings}: found no object of JSON, expected the features of a LeRobot dataset") from None
     if "observation.state" not in features:
         raise Error(f"{settings}: found no feature observation.state, expected the joints' angles there")
@@ -201,7 +201,7 @@ def _episodes(folder: pathlib.Path) -> dict[str, _Run]:
         try:
             table = pyarrow.parquet.read_table(file, columns=kept)
             columns = {name: np.array(table.column(name).to_pylist(), dtype=float) for name in kept}
-        except (pyarrow.ArrowException, KeyError, ValueError) as error:
+        except (pyarrow.ArrowException, KeyError, ValueError, TypeError, OSError) as error:
             raise Error(f"{file}: found {type(error).__name__} where it is read, expected the columns {', '.join(kept)}") from None
         number = columns.pop("episode_index", np.zeros(table.num_rows))
         for episode in np.unique(number):
@@ -215,7 +215,8 @@ def _episode(columns: Mapping[str, Floats], features: Mapping[str, Any]) -> _Run
     for feature in ("observation.state", "action"):
         if feature not in columns:
             continue
-        for name, values in zip(_names(features[feature], columns[feature].shape[1]), columns[feature].T):
+        rows = columns[feature].reshape(len(columns[feature]), -1)
+        for name, values in zip(_names(features[feature], rows.shape[1]), rows.T):
             joint, _, ending = name.rpartition(".")
             quantity = _ENDINGS.get(ending, "position")
             joint = joint if ending in _ENDINGS else name

@@ -12,25 +12,12 @@
 #include "diagnose/draft/told_columns.hpp"
 #include "support/files/text_file.hpp"
 
-// The tables of the documents, and those that the door once turned away (tests/tables/door): each becomes the
+// The tables of the examples, and those that the door once turned away (tests/tables/door): each becomes the
 // experiment that is meant, or a question that names what is missing.
 namespace plumbline::diagnose {
 namespace {
 
 const std::string source_folder = PLUMBLINE_SOURCE_DIR;
-
-/// A block of a document that has a name: "```csv file=gear/hold.csv".
-std::string block(const std::string& document, const std::string& name) {
-  const std::string text = files::read_text(source_folder + "/docs/" + document);
-  const std::size_t mark = text.find("file=" + name + "\n");
-  REQUIRE(mark != std::string::npos);
-  const std::size_t from = text.find('\n', mark) + 1;
-  return text.substr(from, text.find("```", from) - from);
-}
-
-DraftFile of_document(const std::string& document, const std::string& name) {
-  return {name.substr(name.find('/') + 1), block(document, name)};
-}
 
 DraftFile of_example(const std::string& name) {
   return {name.substr(name.find('/') + 1), files::read_text(source_folder + "/docs/examples/" + name)};
@@ -127,7 +114,7 @@ TEST_CASE("weights on a lever: the lever is asked for, and may be told") {
 
 TEST_CASE("commands of servos and what was reached are a run of poses, a line each") {
   const Experiment poses = drafted(nominal_model("link_length = [0.30, 0.25]\njoint_stiffness = [60, 25]\n"),
-                                   {of_document("servo-arms.md", "arm/poses.csv")});
+                                   {of_example("poses/poses.csv")});
   REQUIRE(poses.runs.size() == 1);
   REQUIRE(poses.runs[0].commands_joints());
   CHECK(poses.runs[0].readings.size() == 8);
