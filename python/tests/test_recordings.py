@@ -111,6 +111,22 @@ def test_episodes_of_a_dataset_are_runs(tmp_path: pathlib.Path, names: Any) -> N
     assert (tables["episode-0"]["q shoulder cmd"] == sent[:, 0]).all()
 
 
+def test_a_dataset_of_one_joint_holds_numbers_in_place_of_lists(tmp_path: pathlib.Path) -> None:
+    pytest.importorskip("pyarrow")
+    import pyarrow.parquet
+    t, sent, reached = swept()
+    folder = dataset(tmp_path / "set", ["shoulder", "elbow"])
+    feature = {"dtype": "float64", "shape": [1], "names": ["shoulder"]}
+    features = {"observation.state": feature, "action": feature, "timestamp": {}, "episode_index": {}}
+    (folder / "meta" / "info.json").write_text(json.dumps({"features": features}))
+    for episode, file in enumerate(sorted((folder / "data").rglob("*.parquet"))):
+        pyarrow.parquet.write_table(pyarrow.table({"timestamp": t, "episode_index": np.full(len(t), episode),
+                                                   "observation.state": reached[:, 0], "action": sent[:, 0]}), file)
+    log = plumbline.read_logs(folder)["episode-0"]
+    assert (log["position shoulder"] == reached[:, 0]).all()
+    assert (log["command shoulder"] == sent[:, 0]).all()
+
+
 def test_a_folder_that_is_no_dataset_is_refused_in_one_line(tmp_path: pathlib.Path) -> None:
     pytest.importorskip("pyarrow")
     with pytest.raises(plumbline.Error, match="no metadata.yaml and no meta/info.json"):
