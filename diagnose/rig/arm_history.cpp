@@ -25,7 +25,19 @@ std::vector<Eigen::Matrix3d> told_orientations(const Experiment& experiment, con
   return all;
 }
 
-/// An arm along one run, with its variations beside it.
+/// Whether the arm is a chain in a plane: all joints turn about one direction.
+bool turns_in_a_plane(const SerialArm<double>& arm) {
+  constexpr double rounding = 1e-9;
+  Eigen::Matrix3d turned = Eigen::Matrix3d::Identity();
+  const Vector3<double> first = arm.links.front().frame.linear() * arm.links.front().axis;
+  return std::all_of(arm.links.begin(), arm.links.end(), [&](const ArmLink<double>& link) {
+    turned *= link.frame.linear();
+    return link.kind == JointKind::revolute && first.cross(turned * link.axis).norm() < rounding;
+  });
+}
+
+/// An arm along one run, with its variations beside it. Between poses in space its way is that of a planner
+/// that nobody tells: it goes there in one step. In a plane it goes as a chain does.
 class ArmWalk {
  public:
   ArmWalk(const Experiment& experiment, const Run& run, const Rig& rig, const std::vector<Rig>& variations)
@@ -60,7 +72,8 @@ class ArmWalk {
     beside_.reserve(variations.size());
     for (const Rig& one : variations) beside_.emplace_back(experiment, one, run, contacts);
     const auto remembers_any = [&](const Rig& one) { return remembers(one, contact_count(one)); };
-    if (remembers_any(rig) || std::any_of(variations.begin(), variations.end(), remembers_any))
+    if (turns_in_a_plane(experiment.arm->arm) &&
+        (remembers_any(rig) || std::any_of(variations.begin(), variations.end(), remembers_any)))
       parts_ = substeps(run, contacts, rig);
     else
       parts_.assign(run.readings.size(), 1);
