@@ -154,12 +154,16 @@ Vector<double> ArmTraveller::residual(const Vector<double>& force) const {
   Vector<double> all = at_ - target_ - compliance_ * force;
   for (std::size_t i = 0; i < joint_.size(); ++i) {
     if (!yields_by_law(on_.rig, i)) continue;
-    const double q = at_(joint_[i]);
-    Torque torque = on_.joint[i].elastic(q, memory_[i]);
-    torque += history_torque(step(), i, q, contacts_of(i));
-    all(joint_[i]) = (torque.value - force(joint_[i]) - from_neighbours(i)) / on_.rig.stiffness[i];
+    all(joint_[i]) = (own_torque(i).value - force(joint_[i]) - from_neighbours(i)) / on_.rig.stiffness[i];
   }
   return all;
+}
+
+Torque ArmTraveller::own_torque(std::size_t joint) const {
+  const double q = at_(joint_[joint]);
+  Torque torque = on_.joint[joint].elastic(q, memory_[joint]);
+  torque += history_torque(step(), joint, q, contacts_of(joint));
+  return torque;
 }
 
 double ArmTraveller::from_neighbours(std::size_t joint) const {
@@ -182,11 +186,8 @@ Matrix<double> ArmTraveller::tangent(const Matrix<double>& stiffness) const {
   for (std::size_t i = 0; i < joint_.size(); ++i) {
     if (!yields_by_law(on_.rig, i)) continue;
     const Eigen::Index k = joint_[i];
-    const double q = at_(k);
-    Torque torque = on_.joint[i].elastic(q, memory_[i]);
-    torque += history_torque(step(), i, q, contacts_of(i));
     slope.row(k) = -stiffness.row(k) / on_.rig.stiffness[i];
-    slope(k, k) = std::max(slope(k, k) + torque.slope / on_.rig.stiffness[i], smallest_slope);
+    slope(k, k) = std::max(slope(k, k) + own_torque(i).slope / on_.rig.stiffness[i], smallest_slope);
     for (const std::size_t beside : {i - 1, i + 1})
       if (beside < joint_.size()) slope(k, joint_[beside]) -= on_.rig.coupling / on_.rig.stiffness[i];
   }

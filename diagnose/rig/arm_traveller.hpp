@@ -61,6 +61,8 @@ class ArmTraveller {
   [[nodiscard]] Vector<double> residual(const Vector<double>& force) const;
   /// Its derivatives, by those of the forces.
   [[nodiscard]] Matrix<double> tangent(const Matrix<double>& stiffness) const;
+  /// The torque of a joint's own law where the arm stands: of its spring and of its history.
+  [[nodiscard]] Torque own_torque(std::size_t joint) const;
   /// The torque on a joint of the springs that couple it to its neighbours.
   [[nodiscard]] double from_neighbours(std::size_t joint) const;
   /// \returns the length of the longest step

@@ -129,6 +129,22 @@ TEST_CASE("a nonlinear cell is identified, and not confused with bias, gain or s
   }
 }
 
+namespace {
+
+/// A press within a microsecond, and its place held for ten seconds.
+Experiment pressed_and_held() {
+  Experiment experiment = three_links();
+  press(experiment, {0.3, -0.5, 0.4}, {-0.02, 0}, 1, false, 1e-6);
+  Run& run = experiment.runs[0];
+  for (int i = 1; i <= 20; ++i) {
+    run.readings.push_back(run.readings[1]);
+    run.readings.back().t = 1e-6 + 0.5 * i;
+  }
+  return experiment;
+}
+
+}  // namespace
+
 TEST_CASE("a saturated cell reads its limit, and is considered where readings form a plateau") {
   Experiment experiment = three_links();
   press(experiment, {0.3, -0.5, 0.4}, {-0.06, 0}, 20, true);
@@ -142,13 +158,7 @@ TEST_CASE("a saturated cell reads its limit, and is considered where readings fo
 }
 
 TEST_CASE("a lagging cell approaches a constant force as 1 - exp(-t / tau)") {
-  Experiment experiment = three_links();
-  press(experiment, {0.3, -0.5, 0.4}, {-0.02, 0}, 1, false, 1e-6);
-  Run& run = experiment.runs[0];
-  for (int i = 1; i <= 20; ++i) {
-    run.readings.push_back(run.readings[1]);
-    run.readings.back().t = 1e-6 + 0.5 * i;
-  }
+  const Experiment experiment = pressed_and_held();
   const double force = predicted(experiment, {}, {}).runs[0](1, column_Fx), tau = 2;
   const Trace shown = predicted(experiment, only("sensor_lag"), {tau}).runs[0];
   for (Eigen::Index row = 1; row < shown.rows(); ++row) {
@@ -159,13 +169,7 @@ TEST_CASE("a lagging cell approaches a constant force as 1 - exp(-t / tau)") {
 }
 
 TEST_CASE("a creeping cell shows a share more of a constant force as 1 - exp(-t / tau)") {
-  Experiment experiment = three_links();
-  press(experiment, {0.3, -0.5, 0.4}, {-0.02, 0}, 1, false, 1e-6);
-  Run& run = experiment.runs[0];
-  for (int i = 1; i <= 20; ++i) {
-    run.readings.push_back(run.readings[1]);
-    run.readings.back().t = 1e-6 + 0.5 * i;
-  }
+  const Experiment experiment = pressed_and_held();
   const double force = predicted(experiment, {}, {}).runs[0](1, column_Fx), share = 0.1, tau = 2;
   const Trace shown = predicted(experiment, only("sensor_creep"), {share, std::log(tau)}).runs[0];
   for (Eigen::Index row = 1; row < shown.rows(); ++row) {
