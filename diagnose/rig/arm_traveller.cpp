@@ -18,6 +18,10 @@ Vector<double> column(const std::vector<double>& values) {
   return Eigen::Map<const Vector<double>>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
+void put(const Vector<double>& values, const std::vector<Eigen::Index>& places, Vector<double>& to) {
+  for (std::size_t i = 0; i < places.size(); ++i) to(places[i]) = values(static_cast<Eigen::Index>(i));
+}
+
 bool yields_by_law(const Rig& rig, std::size_t joint) {
   return rig.stiffness[joint] > 0;
 }
@@ -161,9 +165,7 @@ Vector<double> ArmTraveller::residual(const Vector<double>& force) const {
 
 Torque ArmTraveller::own_torque(std::size_t joint) const {
   const double q = at_(joint_[joint]);
-  Torque torque = on_.joint[joint].elastic(q, memory_[joint]);
-  torque += history_torque(step(), joint, q, contacts_of(joint));
-  return torque;
+  return on_.joint[joint].elastic(q, memory_[joint]) += history_torque(step(), joint, q, contacts_of(joint));
 }
 
 double ArmTraveller::from_neighbours(std::size_t joint) const {
@@ -295,20 +297,18 @@ bool ArmTraveller::settle_beside(const ArmTraveller& other) {
     at_ = other.at_, posture_ = other.posture_;
   } else {
     Vector<double> at = target_;
-    at(shared) = other.at_ + led;
+    put(other.at_ + led, shared, at);
     stand_at(at);
   }
   if (target_.size() > other.target_.size()) {  // what yields here alone bends under the loads of the other
     Vector<double> at = at_ - residual(forces(*posture_, at_));
-    at(shared) = at_(shared);
+    put(at_(shared), shared, at);
     stand_at(at);
   }
   const Vector<double> left = residual(forces(*posture_, at_));
   coordinate_ = at_ - left;
-  // In this order, and less what rounding leaves there, an arm that does not differ is the same to the last
-  // bit.
-  coordinate_(shared) = other.coordinate_ + led;
-  coordinate_(shared) -= other.tangent_.solve(left(shared) - other.residual_);
+  // In this order, less what rounding leaves, an arm that does not differ is the same to the last bit.
+  put(other.coordinate_ + led - other.tangent_.solve(left(shared) - other.residual_), shared, coordinate_);
   return coordinate_.allFinite();
 }
 
