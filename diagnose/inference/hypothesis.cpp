@@ -50,6 +50,10 @@ void mark_bounds(const std::vector<ParameterRange>& ranges, Hypothesis& h) {
 struct Slope {
   VectorXd gradient;
   MatrixXd curvature;
+  /// Of a step, by the second order.
+  [[nodiscard]] double gain(const VectorXd& step) const {
+    return gradient.dot(step) - step.dot(curvature * step) / 2;
+  }
 };
 
 Slope slope_of(const std::vector<ParameterRange>& ranges, const Hypothesis& h, const Effort& effort) {
@@ -76,6 +80,28 @@ std::vector<Eigen::Index> free_parameters(const std::vector<ParameterRange>& ran
     if (!held) free.push_back(k);
   }
   return free;
+}
+
+Eigen::Map<const VectorXd> vector(const std::vector<double>& values) {
+  return {values.data(), static_cast<Eigen::Index>(values.size())};
+}
+
+/// The parameters after a damped step of Gauss and Newton, within their bounds.
+std::vector<double> stepped(const std::vector<ParameterRange>& ranges, std::vector<double> parameters,
+                            const Slope& slope, const std::vector<Eigen::Index>& free, double damping) {
+  MatrixXd curvature = slope.curvature(free, free);
+  for (std::size_t f = 0; f < free.size(); ++f) {
+    const auto k = static_cast<Eigen::Index>(f);
+    const double scale = ranges[static_cast<std::size_t>(free[f])].scale;
+    curvature(k, k) += damping * std::max(curvature(k, k), 1 / (scale * scale));
+  }
+  const VectorXd step = curvature.ldlt().solve(VectorXd(slope.gradient(free)));
+  for (std::size_t f = 0; f < free.size(); ++f) {
+    const auto p = static_cast<std::size_t>(free[f]);
+    parameters[p] =
+        std::clamp(parameters[p] + step(static_cast<Eigen::Index>(f)), ranges[p].low, ranges[p].high);
+  }
+  return parameters;
 }
 
 /// A fit as Laplace's method sees it: what its parameters are in the prior, and what the readings say of
@@ -264,10 +290,13 @@ Hypothesis maximised(const Study& study, const Likelihood& likelihood, const Can
   Hypothesis best;
   best.candidate = candidate;
   best.parameters = start;
-  const auto evaluate = [&](Hypothesis& h) {
-    if (!predict_into(study, h, true)) return false;
+  const auto look = [&](Hypothesis& h) {
     h.look = likelihood.look(h.residual, h.jacobian);
     h.log_posterior = h.look.log_likelihood + log_density(ranges, h.parameters, effort);
+  };
+  const auto evaluate = [&](Hypothesis& h) {
+    if (!predict_into(study, h, true)) return false;
+    look(h);
     return std::isfinite(h.log_posterior);
   };
   if (!evaluate(best)) {
@@ -281,22 +310,22 @@ Hypothesis maximised(const Study& study, const Likelihood& likelihood, const Can
     if (free.empty()) break;
     double gain = 0;
     for (int attempt = 0; attempt < 5; ++attempt) {
-      MatrixXd curvature = slope.curvature(free, free);
-      for (std::size_t f = 0; f < free.size(); ++f) {
-        const auto k = static_cast<Eigen::Index>(f);
-        const double scale = ranges[static_cast<std::size_t>(free[f])].scale;
-        curvature(k, k) += damping * std::max(curvature(k, k), 1 / (scale * scale));
-      }
-      const VectorXd step = curvature.ldlt().solve(VectorXd(slope.gradient(free)));
       Hypothesis next;
       next.candidate = candidate;
-      next.parameters = best.parameters;
-      for (std::size_t f = 0; f < free.size(); ++f) {
-        const auto p = static_cast<std::size_t>(free[f]);
-        next.parameters[p] = std::clamp(best.parameters[p] + step(static_cast<Eigen::Index>(f)),
-                                        ranges[p].low, ranges[p].high);
+      next.parameters = stepped(ranges, best.parameters, slope, free, damping);
+      const VectorXd step = vector(next.parameters) - vector(best.parameters);
+      if (!step.allFinite()) break;
+      if (slope.gain(step) < effort.gain) {
+        if (attempt > 0) break;
+        // So short a step is taken by the derivatives that are there.
+        next.residual = best.residual + best.jacobian * step;
+        next.jacobian = best.jacobian;
+        next.converged = true;
+        look(next);
+        if (next.log_posterior > best.log_posterior) best = std::move(next);
+        break;
       }
-      if (step.allFinite() && evaluate(next) && next.log_posterior > best.log_posterior) {
+      if (evaluate(next) && next.log_posterior > best.log_posterior) {
         gain = next.log_posterior - best.log_posterior;
         best = std::move(next);
         damping = std::max(1e-9, damping / 10);
