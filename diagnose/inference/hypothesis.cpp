@@ -86,6 +86,14 @@ Eigen::Map<const VectorXd> vector(const std::vector<double>& values) {
   return {values.data(), static_cast<Eigen::Index>(values.size())};
 }
 
+/// Whether the derivatives hold along a step: next to parameters' typical sizes.
+bool is_short(const std::vector<ParameterRange>& ranges, const VectorXd& step) {
+  constexpr double next_to = 0.1;
+  for (std::size_t p = 0; p < ranges.size(); ++p)
+    if (std::abs(step(static_cast<Eigen::Index>(p))) > next_to * ranges[p].scale) return false;
+  return true;
+}
+
 /// The parameters after a damped step of Gauss and Newton, within their bounds.
 std::vector<double> stepped(const std::vector<ParameterRange>& ranges, std::vector<double> parameters,
                             const Slope& slope, const std::vector<Eigen::Index>& free, double damping) {
@@ -315,7 +323,7 @@ Hypothesis maximised(const Study& study, const Likelihood& likelihood, const Can
       next.parameters = stepped(ranges, best.parameters, slope, free, damping);
       const VectorXd step = vector(next.parameters) - vector(best.parameters);
       if (!step.allFinite()) break;
-      if (slope.gain(step) < effort.gain) {
+      if (slope.gain(step) < effort.gain && is_short(ranges, step)) {
         if (attempt > 0) break;
         // So short a step is taken by the derivatives that are there.
         next.residual = best.residual + best.jacobian * step;
