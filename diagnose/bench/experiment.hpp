@@ -206,6 +206,7 @@ struct ArmBench {
   OnLink<double> load{0};  ///< where the wrench acts
   Frames frames = Frames::known;
   std::shared_ptr<const Calibration> calibration = nullptr;  ///< of the nominal arm, or none
+  double assumed_density = 0;  ///< of links without masses in their model, kg/m; 0 where these have some
 };
 
 /// The nominal model, the bench and the runs.

@@ -9,6 +9,7 @@
 #include <plumbline/base/error.hpp>
 #include <set>
 
+#include "diagnose/bench/assumed_weight.hpp"
 #include "diagnose/bench/continued_runs.hpp"
 #include "diagnose/bench/covariates.hpp"
 #include "diagnose/bench/end_kind.hpp"
@@ -271,6 +272,7 @@ Experiment read_arm_settings(const Section& root, const Source& source) {
   }
   experiment.covariates = complete_covariates(experiment.runs, root.place("run"), {});
   count_from_first_reading(experiment.runs);
+  assume_weights(experiment);
   return experiment;
 }
 

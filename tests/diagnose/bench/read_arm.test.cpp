@@ -156,3 +156,24 @@ TEST_CASE("columns of an arm have names, units, signs and zeros of their own, an
   CHECK(second.wrench[2] == close_to(-1.5 * 9.81));
   CHECK(named.runs[0].origins[1].source == "a");
 }
+
+TEST_CASE("a rigid arm without masses is taken to weigh something, unless loads or drives tell its weight") {
+  const std::string rigid = "[[arm.joint]]\nname = \"shoulder\"\nxyz = [0, 0, 0.4]\n",
+                    own = rigid + "mass = 2\ncentre = [0.1, 0, 0]\nstiffness = 5000\n";
+  const auto density = [&](const std::string& joint, const std::string& header) {
+    std::map<std::string, std::string> files{{"experiment.toml", arm_settings}, {"one.csv", arm_table}};
+    std::string& settings = files["experiment.toml"];
+    settings.replace(settings.find(own), own.size(), joint);
+    std::string& table = files["one.csv"];
+    table.replace(table.find("weight"), 6, header);
+    const Experiment experiment =
+        read_experiment("arm", [&](const std::string& name, const std::string&) { return files.at(name); });
+    CHECK((experiment.arm_bench.assumed_density > 0) == (experiment.link_mass[1] > 0));
+    return experiment.arm_bench.assumed_density;
+  };
+  CHECK(density(rigid, "temperature") > 0);
+  CHECK(density(own, "temperature") == 0);
+  CHECK(density(rigid + "mass = 2\n", "temperature") == 0);
+  CHECK(density(rigid + "stiffness = 5000\n", "temperature") == 0);
+  CHECK(density(rigid, "weight") == 0);
+}

@@ -1,6 +1,7 @@
 #include "diagnose/calibration/calibration.hpp"
 
 #include "diagnose/answers/diagnosis.hpp"
+#include "diagnose/bench/assumed_weight.hpp"
 #include "diagnose/bench/registration.hpp"
 #include "diagnose/inference/calibration.hpp"
 #include "tests/diagnose/arms.hpp"
@@ -101,6 +102,38 @@ TEST_CASE("an encoder that is off its axis sticks out of zeros and tilts of all 
   REQUIRE(!found.beside.empty());
   CHECK(found.beside.front().label() == "encoder_ripple(2)");
   CHECK(found.corrected.place <= 1.1 * found.least_squares.place);
+}
+
+TEST_CASE("a joint that yields is seen through a model without masses, by those of links alike in density") {
+  Experiment experiment = arm_bench(industrial_arm(0), 80);
+  for (Run& run : experiment.runs)
+    for (Reading& reading : run.readings) reading.wrench.clear();
+  Truth truth(6, 11);
+  constexpr double compliance = 2e-4;  // rad/(N m): joint 2 carries up to 15 N m, and sags by 3 mrad
+  truth.add({"joint_compliance", 2}, {compliance});
+  experiment = as_given(experiment, truth.candidate, truth.parameters, 12);
+  experiment.arm_bench.frames = ArmBench::Frames::unknown;
+  NominalArm weightless = *experiment.arm;
+  for (ArmLink<double>& link : weightless.arm.links) link.mass = 0, link.centre.setZero();
+  REQUIRE(is_weightless(weightless.arm));
+  const auto left_with = [&](double density) {
+    NominalArm model = weightless;
+    model.arm = weighed(model.arm, density);
+    static_cast<NominalChain&>(experiment) = chain_of(model);
+    return calibration_of(calibrated(Study(experiment)));
+  };
+  const Calibration none = left_with(0), some = left_with(10), other = left_with(20);
+  CHECK(some.corrected.place < none.corrected.place);
+  // Compliance times weight is all that shows.
+  CHECK(other.corrected.place == doctest::Approx(some.corrected.place).epsilon(1e-2));
+  const auto yields = [](const Calibration& one) {
+    const auto is = [](const EffectAt& at) { return at.effect->id == "joint_compliance"; };
+    return std::any_of(one.tolerances.begin(), one.tolerances.end(),
+                       [&](const Tolerance& of) { return is(of.at) && std::abs(of.mean.front()) > 0; }) ||
+           std::any_of(one.beside.begin(), one.beside.end(),
+                       [&](const NominalEffect& of) { return of.label() == "joint_compliance(2)"; });
+  };
+  CHECK(yields(some));
 }
 
 TEST_CASE(

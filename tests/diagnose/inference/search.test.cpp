@@ -53,10 +53,9 @@ std::optional<double> log_likelihood_of(const Study& study, const Findings& find
 /// Bounds follow from the device's scales, and so from what its readings exercise.
 bool within_bounds(const Study& study, const EffectAt& at, const std::vector<double>& parameters) {
   const std::vector<ParameterRange> ranges = study.ranges(at);
-  return std::equal(ranges.begin(), ranges.end(), parameters.begin(),
-                    [](const ParameterRange& range, double value) {
-                      return value >= range.low && value <= range.high;
-                    });
+  return std::equal(
+      ranges.begin(), ranges.end(), parameters.begin(),
+      [](const ParameterRange& range, double value) { return value >= range.low && value <= range.high; });
 }
 
 bool can_follow(const Experiment& experiment, const EffectAt& at, const std::vector<double>& parameters) {
