@@ -63,7 +63,8 @@ std::vector<CandidateRun> runs_from(const Experiment& experiment, const Shape& s
 std::optional<Vector2> bearable_load(const Experiment& experiment, const Shape& shape, const Vector2& along,
                                      const OperatingEnvelope& so_far);
 
-/// All candidates: runs from the shapes, and those of commanded joints and of loads along the chain.
+/// All candidates: runs from the shapes, and those of commanded joints and of loads along the chain; of an
+/// arm in space single poses.
 /// \param most_shapes  largest number of shapes
 std::vector<CandidateRun> candidate_runs(const Experiment& experiment, std::size_t most_shapes,
                                          const OperatingEnvelope& so_far);

@@ -4,7 +4,6 @@
 #include <plumbline/base/error.hpp>
 
 #include "diagnose/bench/unmeasured.hpp"
-#include "diagnose/design/candidate_poses.hpp"
 #include "diagnose/design/candidate_runs.hpp"
 #include "diagnose/inference/start.hpp"
 #include "diagnose/rig/nominal.hpp"
@@ -38,14 +37,13 @@ std::vector<CandidateRun> planned_runs(const Experiment& bench) {
   return all;
 }
 
-/// Presses and loads, there and back, that the nominal model can follow within the operating envelope; of an
-/// arm in space its poses.
+/// Presses and loads, there and back, that the nominal model can follow within the operating envelope, and
+/// single poses.
 std::vector<CandidateRun> further_runs(const Study& described) {
-  const Experiment& bench = described.experiment();
-  if (bench.arm) return candidate_poses(bench);
-  std::vector<CandidateRun> all;
-  for (CandidateRun& one : candidate_runs(bench, most_shapes, operating_envelope(described)))
-    if (one.run.turns_back()) all.push_back(std::move(one));
+  std::vector<CandidateRun> all =
+      candidate_runs(described.experiment(), most_shapes, operating_envelope(described));
+  std::erase_if(all,
+                [](const CandidateRun& one) { return one.run.readings.size() > 1 && !one.run.turns_back(); });
   return all;
 }
 

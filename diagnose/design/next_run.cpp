@@ -7,7 +7,6 @@
 #include <optional>
 #include <utility>
 
-#include "diagnose/design/candidate_poses.hpp"
 #include "diagnose/design/candidate_runs.hpp"
 #include "diagnose/design/expected_information.hpp"
 #include "diagnose/design/separation.hpp"
@@ -135,8 +134,7 @@ class Planner {
 
   void add_candidates() {
     constexpr std::size_t shapes = 12;
-    for (const CandidateRun& one :
-         experiment_.arm ? candidate_poses(experiment_) : candidate_runs(experiment_, shapes, so_far_))
+    for (const CandidateRun& one : candidate_runs(experiment_, shapes, so_far_))
       add(one.description, one.run);
   }
 

@@ -95,7 +95,6 @@ double excess(const std::vector<MissingTorque>& values, double scale) {
 
 std::vector<std::vector<MissingTorque>> missing_torques(const Experiment& experiment) {
   std::vector<std::vector<MissingTorque>> by_joint(experiment.link_length.size());
-  if (experiment.arm) return by_joint;  // torques are told by drives, not by angles
   for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
     const Run& run = experiment.runs[r];
     std::optional<NominalModel<double>> nominal;

@@ -20,15 +20,15 @@ auto values_of(const Series& series, const VectorXd& values) {
 }
 
 /// A rig, what it gives, and how its channels answer to a torque at each elastic joint.
-struct Response {
+struct LawResponse {
   Rig rig;
   Prediction given;
   std::vector<std::size_t> joints;             ///< elastic, from 0
   std::vector<std::vector<Trace>> per_torque;  ///< [joint][run], by 1 N m
 };
 
-Response response(const Study& study, Rig rig) {
-  Response all{std::move(rig), {}, {}, {}};
+LawResponse response(const Study& study, Rig rig) {
+  LawResponse all{std::move(rig), {}, {}, {}};
   std::vector<RigVariation> pushed;
   for (std::size_t j = 0; j < study.experiment().link_length.size(); ++j) {
     const double stiffness = study.experiment().joint_stiffness[j];
@@ -42,7 +42,7 @@ Response response(const Study& study, Rig rig) {
   return all;
 }
 
-std::size_t place_of(const Response& rig, std::size_t joint) {
+std::size_t place_of(const LawResponse& rig, std::size_t joint) {
   return static_cast<std::size_t>(std::find(rig.joints.begin(), rig.joints.end(), joint) -
                                   rig.joints.begin());
 }
@@ -60,7 +60,7 @@ Eigen::VectorXd deflection(const Study& study, const Rig& rig, const Prediction&
   return bent;
 }
 
-LawSpan span_of(const Study& study, const Response& rig, const std::vector<std::size_t>& joints) {
+LawSpan span_of(const Study& study, const LawResponse& rig, const std::vector<std::size_t>& joints) {
   LawSpan span;
   for (std::size_t r = 0; r < rig.given.runs.size(); ++r) {
     for (const std::size_t j : joints)
@@ -76,7 +76,7 @@ LawSpan span_of(const Study& study, const Response& rig, const std::vector<std::
 /// Calls `add(place of the joint among the elastic ones, run, terms)` for each joint that has the law and
 /// each run.
 template <class Add>
-void for_each_part(const Study& study, const Response& rig, const JointTorqueLaw& law, Add add) {
+void for_each_part(const Study& study, const LawResponse& rig, const JointTorqueLaw& law, Add add) {
   for (const std::size_t number : law.joints) {
     const std::size_t j = number - 1;
     const double share = study.experiment().joint_stiffness[j] / law.stiffness;
@@ -95,7 +95,7 @@ Eigen::Index terms_of(const Placement& place) {
   return place.size() > 1 ? plain_terms : law_terms_count;
 }
 
-JointTorqueLaw blank(const Study& study, const Response& rig, const std::vector<std::size_t>& joints) {
+JointTorqueLaw blank(const Study& study, const LawResponse& rig, const std::vector<std::size_t>& joints) {
   JointTorqueLaw law;
   law.span = span_of(study, rig, joints);
   for (const std::size_t j : joints) {
@@ -106,7 +106,7 @@ JointTorqueLaw blank(const Study& study, const Response& rig, const std::vector<
 }
 
 /// One joint; all of them with one law, in proportion to their stiffness; each its own.
-std::vector<Placement> placements(const Study& study, const Response& rig) {
+std::vector<Placement> placements(const Study& study, const LawResponse& rig) {
   constexpr std::size_t most_own = 6;
   std::vector<Placement> all;
   for (const std::size_t j : rig.joints)
@@ -141,7 +141,7 @@ std::vector<std::size_t> first_folds(const Study& study) {
   return first;
 }
 
-LawFolds sums_of(const Study& study, const Response& rig, const Placement& place, const VectorXd& residual,
+LawFolds sums_of(const Study& study, const LawResponse& rig, const Placement& place, const VectorXd& residual,
                  const NoiseEstimate& noise) {
   const Eigen::Index own = terms_of(place), width = static_cast<Eigen::Index>(place.size()) * own;
   const LawSums none{Eigen::MatrixXd::Zero(width, width), Eigen::VectorXd::Zero(width), 0};
@@ -215,7 +215,7 @@ double squares(const Study& study, const NoiseEstimate& noise, const VectorXd& r
 }
 
 /// What laws of the places of `law` are to explain: what is left with it in the rig, and what it gives there.
-VectorXd to_explain(const Study& study, const NoiseEstimate& noise, const Response& with,
+VectorXd to_explain(const Study& study, const NoiseEstimate& noise, const LawResponse& with,
                     const TorqueLaw& law) {
   VectorXd residual = without_outliers(noise, study.residual(with.given));
   for (const JointTorqueLaw& one : law.laws)
@@ -260,7 +260,7 @@ TorqueLaw settled(const Study& seen, const NoiseEstimate& noise, TorqueLaw law) 
     least = left_with(seen, noise, law);
   }
   for (int round = 0; round < rounds; ++round) {
-    const Response with = response(seen, rig_with_law(seen, law));
+    const LawResponse with = response(seen, rig_with_law(seen, law));
     if (!with.given.reached) break;
     TorqueLaw next = law;
     const ChosenLaw fitted = fit_law(
@@ -284,7 +284,7 @@ TorqueLaw settled(const Study& seen, const NoiseEstimate& noise, TorqueLaw law) 
 /// the base answers to it shows too little of what another shape would do. Laws of their own keep theirs.
 TorqueLaw chosen_again(const Study& seen, const NoiseEstimate& noise, const TorqueLaw& law) {
   if (law.laws.size() > 1) return law;
-  const Response with = response(seen, rig_with_law(seen, law));
+  const LawResponse with = response(seen, rig_with_law(seen, law));
   if (!with.given.reached) return law;
   const LawFolds sums = sums_of(seen, with, law.laws, to_explain(seen, noise, with, law), noise);
   const ChosenLaw same = fit_law(law.shape, 1, sums), other = choose_law(sums, seen.measurements().size());
@@ -306,7 +306,7 @@ double left_with(const Study& study, const NoiseEstimate& noise, const TorqueLaw
 }
 
 std::optional<TorqueLaw> fit_torque_law(const Study& seen, const NoiseEstimate& noise) {
-  const Response rig = response(seen, seen.nominal_rig());
+  const LawResponse rig = response(seen, seen.nominal_rig());
   if (!rig.given.reached) return std::nullopt;
   const VectorXd residual = without_outliers(noise, seen.residual(rig.given));
   const std::size_t values = seen.measurements().size();
@@ -353,7 +353,7 @@ Prediction predict_with_law(const Study& study, const TorqueLaw& law) {
 }
 
 std::vector<LawTrace> law_traces(const Study& study, const TorqueLaw& law) {
-  const Response with = response(study, rig_with_law(study, law));
+  const LawResponse with = response(study, rig_with_law(study, law));
   const Rig& nominal = study.nominal_rig();
   std::vector<LawTrace> traces;
   for (const JointTorqueLaw& one : law.laws)

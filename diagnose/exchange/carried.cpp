@@ -6,6 +6,7 @@
 
 #include "diagnose/exchange/ways.hpp"
 #include "diagnose/rig/effect.hpp"
+#include "diagnose/rig/load_cell.hpp"
 #include "diagnose/rig/nominal.hpp"
 
 namespace plumbline::exchange {
@@ -61,7 +62,8 @@ std::string_view against(Format format, const NominalEffect& effect, const Rig& 
     return "the drive of this file holds the point where the load acts, not the end point";
   if (format == Format::mjcf && hardens_to_one_side(rig))
     return "a spring that hardens is as stiff to both sides in this file";
-  if (rig.force_lag > 0 && !rig.force_drift.isZero(0)) return "what drifts does not lag in this file";
+  if (response_of_cell(rig).lag > 0 && !rig.force_drift.isZero(0))
+    return "what drifts does not lag in this file";
   if (rig.coupling != 0 && (!springs_left(rig) || plays(rig)))
     return "springs that neighbours share leave a joint without one of its own";
   if (format == Format::mjcf || !plays(rig)) return "";

@@ -7,6 +7,8 @@
 #include <functional>
 #include <numeric>
 
+#include "diagnose/rig/load_cell.hpp"
+
 namespace plumbline::exchange {
 namespace {
 
@@ -63,6 +65,7 @@ class Builder {
     constexpr double rigid = 1e6;  // over the stiffness of the chain
     const double reach = std::accumulate(rig_.length.begin(), rig_.length.end(), 0.0),
                  gain = 1 + rig_.force_gain;
+    const diagnose::Response cell = response_of_cell(rig_);
     tree_.drive = Drive{.start = pair(unloaded_end(experiment, nominal_rest_)),
                         .turned = rig_.misalignment,
                         .friction = rig_.guide_friction,
@@ -70,8 +73,8 @@ class Builder {
                         .matrix = {gain, gain * rig_.cross_talk.x(), gain * rig_.cross_talk.y(), gain},
                         .bias = pair(rig_.force_bias.head<2>()),
                         .drift = pair(rig_.force_drift.head<2>()),
-                        .limit = std::isfinite(rig_.force_limit) ? rig_.force_limit : 0,
-                        .lag = rig_.force_lag};
+                        .limit = std::isfinite(cell.limit) ? cell.limit : 0,
+                        .lag = cell.lag};
   }
 
   [[nodiscard]] Hinge hinge(const std::string& name, double stiffness, double rest = 0) const {
@@ -337,7 +340,7 @@ class Builder {
 bool has_drive(const Rig& rig) {
   return rig.misalignment != 0 || rig.guide_friction > 0 || rig.force_gain != 0 ||
          !rig.force_bias.isZero(0) || !rig.force_drift.isZero(0) || !rig.cross_talk.isZero(0) ||
-         std::isfinite(rig.force_limit) || rig.force_lag > 0;
+         std::isfinite(response_of_cell(rig).limit) || response_of_cell(rig).lag > 0;
 }
 
 Tree tree_of(const Rig& rig, const Model& model, const Means& means) {

@@ -59,6 +59,7 @@ constexpr Way no_joint_sensor{false, "of the sensors of the joints, not of the c
 constexpr Way no_coupling{false, "joints of this format are not coupled"};
 constexpr Way no_travel{false, "the range of the joint, which is left as it is"};
 constexpr Way no_slip{false, "springs of this format do not slip at their fixture"};
+constexpr Way no_delay{false, "sensors of this file follow, and have no delay"};
 constexpr Way no_creep{false, "sensors of this format do not creep"};
 constexpr Way no_point{false, "this format has no place for where a force acts"};
 
@@ -110,6 +111,24 @@ const std::map<std::string_view, Way>& everywhere() {
                                                    {"angle_scale", no_joint_sensor},
                                                    {"torque_bias", no_joint_sensor},
                                                    {"torque_scale", no_joint_sensor},
+                                                   {"angle_drift", no_joint_sensor},
+                                                   {"angle_cross_talk", no_joint_sensor},
+                                                   {"angle_lag", no_joint_sensor},
+                                                   {"tilt_bias", no_joint_sensor},
+                                                   {"tilt_scale", no_joint_sensor},
+                                                   {"tilt_drift", no_joint_sensor},
+                                                   {"tilt_cross_talk", no_joint_sensor},
+                                                   {"tilt_lag", no_joint_sensor},
+                                                   {"torque_drift", no_joint_sensor},
+                                                   {"torque_cross_talk", no_joint_sensor},
+                                                   {"torque_lag", no_joint_sensor},
+                                                   {"command_drift", no_servo},
+                                                   {"second_drift", no_second_sensor},
+                                                   {"second_cross_talk", no_second_sensor},
+                                                   {"second_lag", no_second_sensor},
+                                                   {"place_drift", no_camera},
+                                                   {"place_lag", no_camera},
+                                                   {"camera_skew", no_camera},
                                                    {"upper_limit", no_travel},
                                                    {"lower_limit", no_travel},
                                                    {"series_friction", no_slip},
@@ -160,6 +179,8 @@ Way way_of(Format format, const diagnose::NominalEffect& effect) {
   if (format == Format::toml) return {true, "as [[nominal.effect]]"};
   const bool gives = effect.id == "joint_friction" && effect.parameters.contains("d_s");
   if (gives) return format == Format::mjcf ? jenkins : no_presliding;
+  const bool late = effect.id == "sensor_lag" && effect.parameters.contains("delay");
+  if (late && format == Format::mjcf) return no_delay;
   if (const auto found = everywhere().find(effect.id); found != everywhere().end()) return found->second;
   const auto found = coupled().find(effect.id);
   if (found == coupled().end()) throw Error("effect", effect.id, "an id of the effect catalogue");

@@ -32,7 +32,7 @@ ArmTraveller::ArmTraveller(const Experiment& experiment, const Rig& own, const R
     : experiment_(&experiment),
       run_(&run),
       measured_(run.measured()),
-      command_(run, own.command_delay),
+      command_(run, own.drive),
       on_(own, run.rest),
       arm_(on_.rig.arm->arm),
       sliders_(sliders),
@@ -372,14 +372,14 @@ void ArmTraveller::write(Eigen::Ref<Eigen::ArrayXd> row, const std::vector<Eigen
   const Vector3<double> tipped = turn_of_tool();
   Pose<double> camera = Pose<double>::Identity();
   camera.linear() = rotation_by(on_.rig.place_turn);
-  camera.translation() = -camera.linear() * on_.rig.position_offset;
+  camera.translation() = -camera.linear() * on_.rig.frame_at(time_);
   for (std::size_t i = 0; i < joint_.size(); ++i) {
-    const double q = coordinate_(joint_[i]) - on_.rig.encoder[i].off(on_.command[i]);
-    row(Channel(Channel::Name::q, i).column) = on_.rig.angle_read[i].shown(q);
+    row(Channel(Channel::Name::q, i).column) =
+        coordinate_(joint_[i]) - on_.rig.encoder[i].off(on_.command[i]);
   }
   for (std::size_t p = 0; p < rig.points.size(); ++p) {
     const Pose<double> seen = camera * of(rig.points[p], tipped);
-    const Vector3<double> place = (1 + on_.rig.place_scale) * seen.translation();
+    const Vector3<double> place = on_.rig.seen(seen.translation());
     for (std::size_t axis = 0; axis < 3; ++axis)
       row(Channel(Channel::Name::place, 3 * p + axis, arm_.size()).column) =
           place(static_cast<Eigen::Index>(axis));
@@ -392,8 +392,7 @@ void ArmTraveller::write(Eigen::Ref<Eigen::ArrayXd> row, const std::vector<Eigen
   if (!reads(Channel(Channel::Name::drive, 0, arm_.size()))) return;
   const Vector<double> force = forces(ArmPosture<double>(arm_, coordinate_), coordinate_);
   for (std::size_t i = 0; i < joint_.size(); ++i)
-    row(Channel(Channel::Name::drive, i, arm_.size()).column) =
-        on_.rig.torque_read[i].shown(torque_of_drive(i, force(joint_[i])));
+    row(Channel(Channel::Name::drive, i, arm_.size()).column) = torque_of_drive(i, force(joint_[i]));
 }
 
 }  // namespace plumbline::diagnose

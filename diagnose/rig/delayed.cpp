@@ -1,39 +1,47 @@
 #include "diagnose/rig/delayed.hpp"
 
-#include <algorithm>
-
 namespace plumbline::diagnose {
 namespace {
 
-/// What is commanded at a time before that of some reading.
-Reading commanded_at(double t, const Reading& before, const Reading& after) {
-  const double way = after.t - before.t;
-  return way > 0 ? between(before, after, std::clamp((t - before.t) / way, 0.0, 1.0)) : after;
+/// Replaces a value of every reading by the response to it.
+/// \param start  what comes before the first reading, if anything
+/// \param value  in a reading
+template <class Value>
+void respond(const Response& how, const std::optional<Reading>& start, std::vector<Reading>& readings,
+             Value value) {
+  const Eigen::Index before = start ? 1 : 0, count = static_cast<Eigen::Index>(readings.size());
+  Eigen::ArrayXd t(before + count), commanded(before + count);
+  if (Reading first = start.value_or(Reading{}); start) {
+    t(0) = first.t;
+    commanded(0) = value(first);
+  }
+  for (Eigen::Index i = 0; i < count; ++i) {
+    Reading& one = readings[static_cast<std::size_t>(i)];
+    t(before + i) = one.t;
+    commanded(before + i) = value(one);
+  }
+  const Eigen::ArrayXd led = responded(how, t, commanded);
+  for (Eigen::Index i = 0; i < count; ++i) value(readings[static_cast<std::size_t>(i)]) = led(before + i);
 }
 
 }  // namespace
 
-std::vector<Reading> delayed(const Run& run, double delay) {
+std::vector<Reading> led_by(const Drive& drive, const Run& run) {
   std::vector<Reading> all = run.readings;
-  const Reading start = run.before_first().value_or(run.readings.empty() ? Reading{} : run.readings.front());
-  std::vector<const Reading*> known{&start};
-  for (const Reading& one : run.readings)
-    if (run.command(one).allFinite()) known.push_back(&one);
-  std::size_t next = 1;  // of those known, the first that is not before the delayed time
-  for (Reading& one : all) {
-    const double t = one.t - delay;
-    while (next + 1 < known.size() && known[next]->t < t) ++next;
-    if (next >= known.size()) break;
-    const Reading then = commanded_at(t, *known[next - 1], *known[next]);
-    one.rest = then.rest;
-    if (run.holds_end_point() || !run.by_weights)
-      for (const Channel& channel : run.imposed()) channel.in(one) = channel.of(then);
-  }
+  const std::optional<Reading> start = run.before_first();
+  if (run.commands_joints())
+    for (std::size_t j = 0; j < run.rest.size(); ++j) {
+      respond(drive.response, start, all, [j](Reading& one) -> double& { return one.rest[j]; });
+      for (Reading& one : all) one.rest[j] += drive.drift[j] * one.t;
+    }
+  if (run.holds_end_point() || !run.by_weights)
+    for (const Channel& channel : run.imposed())
+      respond(drive.response, start, all, [&](Reading& one) -> double& { return channel.in(one); });
   return all;
 }
 
-LedCommand::LedCommand(const Run& run, double delay)
-    : behind_(delay > 0 ? delayed(run, delay) : std::vector<Reading>{}) {}
+LedCommand::LedCommand(const Run& run, const Drive& drive)
+    : behind_(drive.is_exact() ? std::vector<Reading>{} : led_by(drive, run)) {}
 
 const Reading& LedCommand::at(const Stop& stop) {
   if (behind_.empty() || !stop.to) return stop.reading;

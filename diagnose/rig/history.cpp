@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "diagnose/rig/arm_history.hpp"
 #include "diagnose/rig/run_walk.hpp"
@@ -71,23 +72,35 @@ Prediction simulate(const Experiment& experiment, const Rig& rig,
   }
   result.sensitivity.assign(variations.size(), result.runs);
   for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
-    const Rig here = in_run(rig, experiment.runs[r].number);
+    const Run& run = experiment.runs[r];
+    const Rig here = in_run(rig, run.number);
     std::vector<Rig> differ;
     std::vector<Trace*> beside;
+    std::vector<Sensors> read_by;  // of each variation
     for (std::size_t p = 0; p < variations.size(); ++p) {
       Trace& trace = result.sensitivity[p][r];
-      if (Rig other = in_run(variations[p].rig, experiment.runs[r].number); other == here) {
+      Rig other = in_run(variations[p].rig, run.number);
+      read_by.push_back(std::exchange(other.sensors, here.sensors));
+      if (other == here) {
         trace.setZero();
       } else {
         differ.push_back(std::move(other));
         beside.push_back(&trace);
       }
     }
-    if (!walk(experiment, experiment.runs[r], here, differ, result.runs[r], beside, result.snapped)) {
+    Trace& trace = result.runs[r];
+    if (!walk(experiment, run, here, differ, trace, beside, result.snapped)) {
       result.reached = false;
       return result;
     }
-    for (std::size_t p = 0; p < variations.size(); ++p) result.sensitivity[p][r] /= variations[p].step;
+    const Trace stands = trace;
+    trace = here.sensors.shown(run, stands);
+    for (std::size_t p = 0; p < variations.size(); ++p) {
+      Trace& difference = result.sensitivity[p][r];
+      if (!here.sensors.are_exact() || !read_by[p].are_exact())
+        difference = trace.isNaN().select(0.0, read_by[p].shown(run, stands + difference) - trace);
+      difference /= variations[p].step;
+    }
   }
   return result;
 }

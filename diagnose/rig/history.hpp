@@ -11,9 +11,6 @@
 
 namespace plumbline::diagnose {
 
-/// The prediction of one run: a row a reading, a column a channel. Imposed channels repeat the command.
-using Trace = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
 /// The circumstances of a reading that user corrections may depend on.
 struct Moment {
   double t;         ///< in the run, s

@@ -36,4 +36,8 @@ Vector2 force_on_cell(const Rig& rig, const Vector2& shown) {
   return cross_talk(rig).inverse() * mixed;
 }
 
+Response response_of_cell(const Rig& rig) {
+  return rig.sensors.response(Channel::Name::Fx);
+}
+
 }  // namespace plumbline::diagnose

@@ -19,4 +19,7 @@ Vector2 shown_by_cell(const Rig& rig, const Vector2& force);
 /// The force with this reading: the smaller of two, or the nearest where none has it.
 Vector2 force_on_cell(const Rig& rig, const Vector2& shown);
 
+/// Its response in time.
+Response response_of_cell(const Rig& rig);
+
 }  // namespace plumbline::diagnose

@@ -42,8 +42,7 @@ Rig without_effects(const Experiment& experiment) {
   rig.balance.assign(n, Vector2::Zero());
   rig.command_scale.assign(n, 0);
   rig.encoder.resize(n);
-  rig.angle_read.resize(n);
-  rig.torque_read.resize(n);
+  rig.drive.drift.assign(n, 0);
   for (const Point<double>& weight : weights(experiment)) rig.weight.emplace_back(weight.x, weight.y);
   rig.weight.resize(n, Vector2::Zero());
   rig.centre.assign(n, Vector2::Zero());

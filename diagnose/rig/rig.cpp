@@ -1,5 +1,6 @@
 #include "diagnose/rig/rig.hpp"
 
+#include <algorithm>
 #include <plumbline/chain/kinematics.hpp>
 
 namespace plumbline::diagnose {
@@ -9,6 +10,16 @@ Vector2 unloaded_end(const Experiment& experiment, const std::vector<double>& re
   const Point<double> end =
       end_point(Chain<double>(experiment.link_length, experiment.joint_stiffness), rest);
   return {end.x, end.y};
+}
+
+bool Drive::is_exact() const {
+  return response.is_prompt() && std::all_of(drift.begin(), drift.end(), [](double one) { return one == 0; });
+}
+
+Vector3<double> Rig::seen(const Vector3<double>& place) const {
+  const Vector3<double> skewed(place_skew.x() * place.y() + place_skew.y() * place.z(),
+                               place_skew.z() * place.z(), 0);
+  return (1 + place_scale) * place + skewed;
 }
 
 Rig in_run(const Rig& rig, std::size_t run) {

@@ -12,6 +12,7 @@
 #include "diagnose/bench/experiment.hpp"
 #include "diagnose/bench/free_law.hpp"
 #include "diagnose/rig/arm_rig.hpp"
+#include "diagnose/rig/sensors.hpp"
 #include "diagnose/rig/stated.hpp"
 
 namespace plumbline::diagnose {
@@ -54,11 +55,12 @@ struct Encoder {
   friend bool operator==(const Encoder&, const Encoder&) = default;
 };
 
-/// A sensor that shows (1 + gain) of what it reads, and beside it a zero.
-struct SensorError {
-  double zero = 0, gain = 0;
-  [[nodiscard]] double shown(double value) const { return (1 + gain) * value + zero; }
-  friend bool operator==(const SensorError&, const SensorError&) = default;
+/// How drives follow what they are commanded.
+struct Drive {
+  Response response;
+  std::vector<double> drift;  ///< of the zero of each joint, rad/s
+  [[nodiscard]] bool is_exact() const;
+  friend bool operator==(const Drive&, const Drive&) = default;
 };
 
 /// The angles between which a joint turns.
@@ -90,11 +92,9 @@ struct Rig {
   std::vector<Vector2> balance;              ///< torque on it, of the cosine and the sine of its angle, N m
 
   // The drives of the joints, and what reads them.
-  double command_delay = 0;              ///< by which what drives impose is behind, s
-  std::vector<double> command_scale;     ///< g: a joint is led to 1 + g times its command
-  std::vector<Encoder> encoder;          ///< by which a servo leads it; the angles read are theirs
-  std::vector<SensorError> angle_read;   ///< of the angles
-  std::vector<SensorError> torque_read;  ///< of the torques of the drives
+  Drive drive;                        ///< of what drives impose
+  std::vector<double> command_scale;  ///< g: a joint is led to 1 + g times its command
+  std::vector<Encoder> encoder;       ///< by which a servo leads it; the angles read are theirs
   double compensated = 0;  ///< share of the nominal torque of gravity that they hold without yielding
 
   // The chain as a whole.
@@ -116,29 +116,27 @@ struct Rig {
   double train_compliance = 0;                                ///< c_t, m/N
   double misalignment = 0;                                    ///< eps, rad
   Vector3<double> position_offset = Vector3<double>::Zero();  ///< of the frame in which places are told, m
+  Vector3<double> place_drift = Vector3<double>::Zero();      ///< of that frame, m/s
   double pulley_friction = 0;   ///< mu: an imposed force acts times exp(-mu) while it grows
   double moment_arm_error = 0;  ///< a: tendons and pressures turn joints by 1 + a times their moment
   double capstan_friction = 0;  ///< mu: a tendon slips at a joint at a ratio exp(mu) of tensions
 
   // The camera or the tracker that reads places.
   double place_scale = 0;  ///< it shows 1 + a times the distance from its origin
+  /// Its axes are not square: x shows shares of y and z, y one of z.
+  Vector3<double> place_skew = Vector3<double>::Zero();
   Vector3<double> place_turn = Vector3<double>::Zero();  ///< turned by this rotation vector, rad
 
   // The load cell and the drive.
-  double guide_friction = 0;                                     ///< f_c, N
-  double force_gain = 0;                                         ///< g
-  Vector3<double> force_bias = Vector3<double>::Zero();          ///< N
-  Vector3<double> force_drift = Vector3<double>::Zero();         ///< N/s
-  Vector2 cross_talk = Vector2::Zero();                          ///< c_xy, c_yx
-  Vector2 cell_curvature = Vector2::Zero();                      ///< c_x, c_y, 1/N
-  double force_limit = std::numeric_limits<double>::infinity();  ///< range of the load cell, N
-  double force_lag = 0;                                          ///< its time constant, s
-  double force_creep = 0,
-         creep_time = 1;  ///< share of the force that it shows more in time; time constant, s
+  double guide_friction = 0;                              ///< f_c, N
+  double force_gain = 0;                                  ///< g
+  Vector3<double> force_bias = Vector3<double>::Zero();   ///< N
+  Vector3<double> force_drift = Vector3<double>::Zero();  ///< N/s
+  Vector2 cross_talk = Vector2::Zero();                   ///< c_xy, c_yx
+  Vector2 cell_curvature = Vector2::Zero();               ///< c_x, c_y, 1/N
 
-  // A second sensor of the load.
-  double second_gain = 0;                 ///< g
-  Vector2 second_zero = Vector2::Zero();  ///< b_x, b_y, N
+  // What reads it, in its turn.
+  Sensors sensors;
 
   // By run number; later runs have no addition.
   std::vector<std::vector<double>> run_rest;  ///< [run][joint], beside rest_error
@@ -166,6 +164,10 @@ struct Rig {
   void scale_length(std::size_t link, double factor);
   /// Lets all links bend. \param flexibility  1/EI, 1/(N m^2)
   void bend(double flexibility);
+  /// The offset of the frame in which places are told, at a time.
+  [[nodiscard]] Vector3<double> frame_at(double t) const { return position_offset + t * place_drift; }
+  /// A place, in axes that are turned as those of the camera, as it shows it.
+  [[nodiscard]] Vector3<double> seen(const Vector3<double>& place) const;
 
   friend bool operator==(const Rig&, const Rig&) = default;
 };

@@ -150,7 +150,6 @@ class RunWalk {
   /// Moves to a reading in substeps; where the rig cannot follow one of them, in a single step.
   bool move_to(std::size_t r) {
     const Reading& reading = run_.readings[r];
-    interval_ = last_ ? reading.t - last_->t : 0;
     if (last_) head(run_.command(reading) - run_.command(*last_), 0);
     const std::size_t count = last_ ? parts_[r] : 1;
     for (std::size_t part = 1; part < count; ++part) {
@@ -238,23 +237,24 @@ class RunWalk {
     auto row = trace.row(static_cast<Eigen::Index>(r));
     Vector2 end(reading[column_x], reading[column_y]), force(reading[column_Fx], reading[column_Fy]);
     if (run_.holds_end_point()) {
-      force = rig.measure_force(reading.t, interval_, direction_.x());
+      force = rig.felt_force(reading.t, direction_.x());
     } else {
-      const Vector2 place =
-          solver_.end_point(rig.on, rig.imposed.loads, rig.posture) - rig.on.rig.position_offset.head<2>();
-      end = turned((1 + rig.on.rig.place_scale) * place, rig.on.rig.place_turn.z());
+      const Rig& own = rig.on.rig;
+      Vector3<double> place = -own.frame_at(reading.t);
+      place.head<2>() += solver_.end_point(rig.on, rig.imposed.loads, rig.posture);
+      end = own.seen(Eigen::AngleAxisd(own.place_turn.z(), Vector3<double>::UnitZ()) * place).head<2>();
     }
     row(column_x) = end.x();
     row(column_y) = end.y();
     row(column_Fx) = force.x();
     row(column_Fy) = force.y();
-    const Vector2 second = rig.second_load(run_);
+    const Vector2 second = rig.load_on_second(run_);
     row(column_Fx_2) = second.x();
     row(column_Fy_2) = second.y();
     double tilt = 0;
     for (std::size_t i = 0; i < layout_.links; ++i) {
       const double q = layout_.joint_angle(rig.posture.angle, i);
-      row(Channel(Channel::Name::q, i).column) = rig.on.rig.angle_read[i].shown(q);
+      row(Channel(Channel::Name::q, i).column) = q;
       row(Channel(Channel::Name::tilt, i, layout_.links).column) = tilt += q;
     }
     correct(rig.on, reading, row);
@@ -302,7 +302,6 @@ class RunWalk {
   const Reading* last_ = nullptr;           ///< with a known command
   std::optional<std::size_t> last_number_;  ///< of it; none before the first
   double last_time_ = 0;
-  double interval_ = 0;                  ///< before the last reading; 0 at the first
   double last_size_ = 0, growing_ = 1;   ///< of the imposed force: its size, and whether it grows (1, -1)
   Vector2 direction_ = Vector2::Zero();  ///< of the command along x and y; 0 until it has moved
   std::vector<Turning> turning_;         ///< of each joint

@@ -46,6 +46,9 @@ enum class ParameterKind {
   friction_torque,     ///< of a joint
   torque_zero,         ///< of a sensor
   torque_drift,        ///< of a sensor, by time
+  angle_drift,         ///< of a sensor or a command, by time
+  stroke_drift,        ///< of those of a joint that slides, by time
+  place_drift,         ///< of a frame, by time
   balance_torque,      ///< of a counterweight
   yield_torque,        ///< of a spring
   slip_torque,         ///< of a spring at its fixture

@@ -8,21 +8,9 @@
 
 namespace plumbline::diagnose {
 
-Vector2 Follower::follow(const Vector2& now, double dt, double time) {
-  if (!begun_ || !(time > 0)) {
-    at_ = now;
-  } else if (dt > 0) {
-    const Vector2 behind = (now - led_) / dt * time;
-    at_ = now - behind + std::exp(-dt / time) * (at_ - led_ + behind);
-  }
-  begun_ = true;
-  led_ = now;
-  return at_;
-}
-
 Traveller::Traveller(const Experiment& experiment, const Rig& rig, const Run& run)
     : on(rig, run.rest),
-      command(run, rig.command_delay),
+      command(run, rig.drive),
       unloaded(unloaded_end(experiment, run.rest)),
       memory(run.rest.size()),
       experiment_(&experiment),
@@ -58,19 +46,17 @@ void Traveller::hold_weight(const std::vector<double>& commanded, std::vector<do
   }
 }
 
-Vector2 Traveller::measure_force(double t, double dt, double direction) {
+Vector2 Traveller::felt_force(double t, double direction) const {
   const Rig& rig = on.rig;
   const Vector2 force(posture.force.x, posture.force.y);
-  Vector2 read = shown_by_cell(rig, turned(force, -rig.misalignment)) + zero_of_cell(rig, t);
-  read.x() += rig.guide_friction * direction;
-  Vector2 shown = lag_.follow(read, dt, rig.force_lag);
-  if (rig.force_creep > 0) shown += rig.force_creep * creep_.follow(shown, dt, rig.creep_time);
-  return shown.cwiseMin(rig.force_limit).cwiseMax(-rig.force_limit);
+  Vector2 felt = shown_by_cell(rig, turned(force, -rig.misalignment)) + zero_of_cell(rig, t);
+  felt.x() += rig.guide_friction * direction;
+  return felt;
 }
 
-Vector2 Traveller::second_load(const Run& run) const {
+Vector2 Traveller::load_on_second(const Run& run) const {
   const Vector2 force = run.holds_end_point() ? Vector2(posture.force.x, posture.force.y) : imposed.value;
-  return (1 + on.rig.second_gain) * turned(force, -on.rig.misalignment) + on.rig.second_zero;
+  return turned(force, -on.rig.misalignment);
 }
 
 void Traveller::expect(double share, double dt) {
@@ -90,7 +76,7 @@ Vector2 Traveller::at_end(const Run& run, const Reading& reading, double growing
   const Rig& rig = on.rig;
   if (run.holds_end_point())
     return unloaded + turned(run.imposed_at(reading) - unloaded, rig.misalignment) +
-           rig.position_offset.head<2>();
+           rig.frame_at(reading.t).head<2>();
   const double passed = rig.pulley_friction == 0 ? 1 : std::exp(-rig.pulley_friction * growing);
   if (run.by_weights) return turned(passed * run.imposed_at(reading), rig.misalignment);
   const Vector2 read = run.imposed_at(reading) - zero_of_cell(rig, reading.t);

@@ -11,19 +11,6 @@
 
 namespace plumbline::diagnose {
 
-/// A force that follows another one with a time constant; at the first reading it has followed.
-class Follower {
- public:
-  /// \param now   changes linearly between readings
-  /// \param dt    time since the last reading, s
-  /// \param time  constant, s
-  Vector2 follow(const Vector2& now, double dt, double time);
-
- private:
-  Vector2 led_ = Vector2::Zero(), at_ = Vector2::Zero();  ///< at the last reading
-  bool begun_ = false;
-};
-
 class Traveller {
  public:
   Traveller(const Experiment& experiment, const Rig& rig, const Run& run);
@@ -37,12 +24,11 @@ class Traveller {
   /// \param growing  1 while the imposed force grows, -1 while it falls
   [[nodiscard]] const Imposed& impose(const Run& run, const Reading& reading, double growing);
 
-  /// The measured force, in the axes of the rail.
-  /// \param dt  time since the last reading; 0 at the first
-  Vector2 measure_force(double t, double dt, double direction);
+  /// The force that the load cell shows once it has responded, in the axes of the rail.
+  [[nodiscard]] Vector2 felt_force(double t, double direction) const;
 
-  /// What a second sensor beside the first one reads.
-  [[nodiscard]] Vector2 second_load(const Run& run) const;
+  /// The load on a second sensor beside the first one.
+  [[nodiscard]] Vector2 load_on_second(const Run& run) const;
 
   /// Sets the expected joint speeds from those of the last step.
   /// \param share  length of the next step of the command over that of the last
@@ -63,7 +49,6 @@ class Traveller {
   [[nodiscard]] Vector2 at_end(const Run& run, const Reading& reading, double growing) const;
 
   const Experiment* experiment_;
-  Follower lag_, creep_;           ///< of the load cell
   std::vector<double> rest_then_;  ///< of each joint, at the last reading
   LoadHistory load_history_;
 };

@@ -104,7 +104,12 @@ void require_reach(const Experiment& experiment, const Run& run, const Reach<dou
 
 /// \throws Error for joint angles in degrees, in another order or of another chain: no effect moves the end point of
 ///         most readings by a quarter of the chain
-void require_geometry(const Experiment& experiment, const Run& run, const Reach<double>& limits) {
+void require_geometry(const Experiment& experiment, const Run& run) {
+  const bool tells_end = std::ranges::any_of(run.readings, [](const Reading& one) {
+    return std::isfinite(one[column_x]) && std::isfinite(one[column_y]);
+  });
+  if (!tells_end) return;
+  const Reach<double> limits = reach(experiment.link_length);
   const double gap =
       middle_contradiction(run, Chain<double>(experiment.link_length, experiment.joint_stiffness));
   if (gap > 0.25 * limits.largest)
@@ -266,7 +271,7 @@ void require_physical(const Experiment& experiment) {
   require_device(experiment);
   std::size_t values = 0;
   for (const Run& run : experiment.runs) {
-    if (!experiment.arm) require_geometry(experiment, run, reach(experiment.link_length));
+    require_geometry(experiment, run);
     require_noise(run, experiment.noise);
     values += measured_values(run);
   }

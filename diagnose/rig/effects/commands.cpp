@@ -2,6 +2,7 @@
 /// Effects of the servos that lead the joints to their commands, and of their encoders.
 
 #include "diagnose/rig/effects/each_joint.hpp"
+#include "diagnose/rig/effects/responses.hpp"
 #include "diagnose/rig/effects/rows.hpp"
 
 namespace plumbline::diagnose {
@@ -18,6 +19,11 @@ bool turns_and_moves(const Place& at) {
 /// Whether servos lead the joints.
 bool servos_lead(const Place& at) {
   return std::find(at.scales.moves.begin(), at.scales.moves.end(), true) != at.scales.moves.end();
+}
+
+Responder drives() {
+  return {"command_delay", "a drive that follows its command",
+          [](Rig& rig) { return std::vector{&rig.drive.response}; }};
 }
 
 }  // namespace
@@ -53,17 +59,17 @@ std::vector<Effect> command_effects() {
        .add =
            [](const Addition& to) { to.rig.encoder[to.joint].ripple += Vector2(to.value[0], to.value[1]); },
        .possible = turns_and_moves},
-      {.id = "command_delay",
-       .words = "a drive that follows its command with a delay",
-       .dissipates = true,
-       .parameters = one_of(ParameterKind::lag, "delay"),
-       .add = [](const Addition& to) { to.rig.command_delay += to.value[0]; },
-       .possible = [](const Place& at) { return at.scales.clock && at.scales.drives; },
-       .initial_guesses =
-           [](const Place& at, const Excitation&) {
-             const ParameterRange own = of(ParameterKind::lag, "delay", at);
-             return InitialGuesses{{{0.0}, {0.3 * own.scale}, {own.scale}, {3 * own.scale}}, 2};
-           }},
+      delayed(
+          drives(), [](const Place& at) { return at.scales.clock && at.scales.drives; }, ""),
+      lagging(
+          drives(), [](const Place& at) { return at.scales.clock && at.scales.drives && servos_lead(at); },
+          "by a time constant"),
+      {.id = "command_drift",
+       .words = "a command of joint {} whose zero drifts over time",
+       .at_joint = true,
+       .parameters = [](const Place& at) { return std::vector{of(drift_of_joint(at), "r", at)}; },
+       .add = [](const Addition& to) { to.rig.drive.drift[to.joint] += to.value[0]; },
+       .possible = [](const Place& at) { return at.scales.clock && moves(at); }},
       {.id = "joint_compliance",
        .words = "joint {} that yields, which the model has rigid",
        .at_joint = true,

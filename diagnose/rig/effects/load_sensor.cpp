@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "diagnose/rig/effects/each_joint.hpp"
+#include "diagnose/rig/effects/responses.hpp"
 #include "diagnose/rig/effects/rows.hpp"
 
 namespace plumbline::diagnose {
@@ -17,6 +18,11 @@ bool has_load_cell(const Place& at) {
 
 bool reads_load_over_time(const Place& at) {
   return at.scales.measures_force && at.scales.clock;
+}
+
+/// Of the first sensor's channels.
+std::vector<Channel::Name> first_names() {
+  return {Channel::Name::Fx, Channel::Name::Fy, Channel::Name::torque};
 }
 
 /// Components of the load: one of a joint alone, else one an axis.
@@ -54,12 +60,9 @@ std::vector<Effect> first_sensor() {
            },
        .add = [](const Addition& to) { add_components(to, to.rig.force_drift); },
        .possible = [](const Place& at) { return at.scales.load_cell && at.scales.clock; }},
-      {.id = "sensor_lag",
-       .words = "a load sensor that responds with a delay",
-       .dissipates = true,
-       .parameters = one_of(ParameterKind::lag, "tau"),
-       .add = [](const Addition& to) { to.rig.force_lag += to.value[0]; },
-       .possible = reads_load_over_time},
+      lagging({"sensor_lag", "a load sensor that responds", sensors_of(first_names())}, reads_load_over_time),
+      delayed({"sensor_lag", "a load sensor that responds", sensors_of(first_names())},
+              [](const Place& at) { return reads_load_over_time(at) && shows_in_time(at); }),
       {.id = "sensor_creep",
        .words = "a load sensor that creeps under load",
        .dissipates = true,
@@ -70,8 +73,10 @@ std::vector<Effect> first_sensor() {
            },
        .add =
            [](const Addition& to) {
-             to.rig.force_creep += to.value[0];
-             to.rig.creep_time = to.value[1];
+             for (Response* own : sensors_of(first_names())(to.rig)) {
+               own->creep += to.value[0];
+               own->creep_time = to.value[1];
+             }
            },
        .possible = reads_load_over_time,
        .nested = {"force_gain"},  // of a time constant below the intervals
@@ -96,7 +101,11 @@ std::vector<Effect> first_sensor() {
       {.id = "saturation",
        .words = "a load cell that saturates",
        .parameters = one_of(ParameterKind::sensor_limit, "limit"),
-       .add = [](const Addition& to) { to.rig.force_limit = std::min(to.rig.force_limit, to.value[0]); },
+       .add =
+           [](const Addition& to) {
+             for (Response* own : sensors_of(first_names())(to.rig))
+               own->limit = std::min(own->limit, to.value[0]);
+           },
        // A saturated cell repeats its largest reading.
        .possible = [](const Place& at) { return at.scales.at_largest > 3; },
        .initial_guesses =
@@ -114,39 +123,73 @@ bool has_second_sensor(const Place& at) {
          at.scales.measures(Name::torque_2);
 }
 
-/// Along x and along y; both where none is read, as in the catalogue's document.
-std::array<bool, 2> axes_of_second_sensor(const CharacteristicScales& scales) {
-  const bool x = scales.measures(Channel::Name::Fx_2), y = scales.measures(Channel::Name::Fy_2);
-  return {x || !y, scales.axes > 1 && (y || !x)};
+/// Its components: both where none is read, as in the catalogue's document.
+std::vector<Channel::Name> second_names(const CharacteristicScales& scales) {
+  using Name = Channel::Name;
+  if (scales.axes == 1) return {Name::torque_2};
+  std::vector<Name> read;
+  for (const Name name : {Name::Fx_2, Name::Fy_2})
+    if (scales.measures(name)) read.push_back(name);
+  return read.empty() ? std::vector{Name::Fx_2, Name::Fy_2} : read;
 }
 
-std::vector<ParameterRange> zeros_of_second_sensor(const Place& at) {
-  if (!has_links(at)) return {of(ParameterKind::torque_zero, "b", at)};
-  const auto [along_x, along_y] = axes_of_second_sensor(at.scales);
-  std::vector<ParameterRange> all;
-  if (along_x) all.push_back(of(ParameterKind::force_zero, "b_x", at));
-  if (along_y) all.push_back(of(ParameterKind::force_zero, "b_y", at));
-  return all;
+const char* axis_of(Channel::Name component) {
+  return kind_of(component).along_y ? "_y" : "_x";
+}
+
+/// One parameter a component: of a force, or of a torque.
+auto each_component(ParameterKind of_force, ParameterKind of_torque, const std::string& stem) {
+  return [=](const Place& at) {
+    std::vector<ParameterRange> all;
+    for (const Channel::Name name : second_names(at.scales))
+      all.push_back(name == Channel::Name::torque_2 ? of(of_torque, stem, at)
+                                                    : of(of_force, kept(stem + axis_of(name)), at));
+    return all;
+  };
+}
+
+/// Adds to a member of the errors of its components. \param value  one a component, or one for all
+template <class Member>
+auto add_to_second(Member member, bool each) {
+  return [=](const Addition& to) {
+    const double* value = to.value;
+    for (const Channel::Name name : second_names(to.scales)) {
+      to.rig.sensors.error(name).*member += *value;
+      if (each) ++value;
+    }
+  };
 }
 
 std::vector<Effect> second_sensor() {
+  const Responder second{"second_lag", "a second sensor of the load that responds",
+                         sensors_of({Channel::Name::Fx_2, Channel::Name::Fy_2, Channel::Name::torque_2})};
+  const auto in_time = [](const Place& at) { return has_second_sensor(at) && shows_in_time(at); };
   return {
       {.id = "second_zero",
        .words = "a wrong zero of the second sensor of the load",
-       .parameters = zeros_of_second_sensor,
-       .add =
-           [](const Addition& to) {
-             const double* value = to.value;
-             const auto [along_x, along_y] = axes_of_second_sensor(to.scales);
-             if (along_x) to.rig.second_zero.x() += *value++;
-             if (along_y) to.rig.second_zero.y() += *value;
-           },
+       .parameters = each_component(ParameterKind::force_zero, ParameterKind::torque_zero, "b"),
+       .add = add_to_second(&SensorError::zero, true),
        .possible = has_second_sensor},
       {.id = "second_gain",
        .words = "a scale error of the second sensor of the load",
        .parameters = one_of(ParameterKind::load_gain, "g"),
-       .add = [](const Addition& to) { to.rig.second_gain += to.value[0]; },
+       .add = add_to_second(&SensorError::gain, false),
        .possible = has_second_sensor},
+      {.id = "second_drift",
+       .words = "a second sensor of the load that drifts over time",
+       .parameters = each_component(ParameterKind::force_drift, ParameterKind::torque_drift, "r"),
+       .add = add_to_second(&SensorError::drift, true),
+       .possible = in_time},
+      {.id = "second_cross_talk",
+       .words = "a second sensor of the load with cross-talk between its components",
+       .parameters = some_of(ParameterKind::cross_talk, {"c_xy", "c_yx"}),
+       .add = add_to_second(&SensorError::neighbours, true),
+       .possible =
+           [](const Place& at) {
+             return at.scales.measures(Channel::Name::Fx_2) && at.scales.measures(Channel::Name::Fy_2);
+           }},
+      lagging(second, in_time),
+      delayed(second, in_time),
   };
 }
 

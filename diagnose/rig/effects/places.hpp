@@ -87,6 +87,17 @@ inline ParameterKind offset_of_joint(const Place& at) {
   return at.scales.slides[at.joint] ? ParameterKind::stroke : ParameterKind::joint_angle;
 }
 
+/// The kind of its drift, by time.
+inline ParameterKind drift_of_joint(const Place& at) {
+  return at.scales.slides[at.joint] ? ParameterKind::stroke_drift : ParameterKind::angle_drift;
+}
+
+/// Whether time shows in what a kind of sensor reads. A drive that follows late, or drifts, is all that is
+/// seen where that kind alone is read.
+inline bool shows_in_time(const Place& at) {
+  return at.scales.clock && (at.scales.kinds_read() > 1 || !at.scales.drives);
+}
+
 /// Whether joint angles are read, and something else: alone, their sensors' errors are those of the joints.
 inline bool angles_are_read_beside(const Place& at) {
   return at.scales.measures(Channel::Name::q) && at.scales.kinds_read() > 1;

@@ -24,6 +24,7 @@ TEST_CASE("effects of one kind add up; the contribution of each to the rig, by h
     rig.weight.assign(3, Vector2(0.1, 0.2));
     rig.centre.assign(3, Vector2::Zero());
     rig.sliders.resize(3);
+    rig.drive.drift.assign(3, 0);
     for (int twice = 0; twice < 2; ++twice)
       row.add({rig, joint > 0 ? joint - 1 : 0, size, Vector2(0.6, -0.8), value.data()});
     return rig;
@@ -118,15 +119,20 @@ TEST_CASE("effects of one kind add up; the contribution of each to the rig, by h
   CHECK(with("position_offset", 0, {1, 2}).position_offset == Vector3<double>(2, 4, 0));
   CHECK(with("force_bias", 0, {1, 2}).force_bias == Vector3<double>(2, 4, 0));
   CHECK(with("force_gain", 0, {1}).force_gain == 2);
-  CHECK(with("second_zero", 0, {1, 2}).second_zero == Vector2(2, 4));
-  CHECK(with("second_gain", 0, {1}).second_gain == 2);
+  CHECK(with("second_zero", 0, {1, 2}).sensors.error(Channel::Name::Fy_2).zero == 4);
+  CHECK(with("second_gain", 0, {1}).sensors.error(Channel::Name::Fx_2).gain == 2);
+  CHECK(with("angle_drift", 2, {1}).sensors.error(Channel::Name::q, 1).drift == 2);
+  CHECK(with("command_delay", 0, {1}).drive.response.delay == 2);
+  CHECK(with("command_drift", 2, {1}).drive.drift[1] == 2);
+  CHECK(with("place_drift", 0, {1, 2}).place_drift == Vector3<double>(2, 4, 0));
+  CHECK(with("camera_skew", 0, {1}).place_skew == Vector3<double>(2, 0, 0));
   CHECK(with("sensor_drift", 0, {1, 2}).force_drift == Vector3<double>(2, 4, 0));
   CHECK(with("cross_talk", 0, {1, 2}).cross_talk == Vector2(2, 4));
   CHECK(with("cell_curvature", 0, {1, 2}).cell_curvature == Vector2(2, 4));
-  CHECK(with("saturation", 0, {8}).force_limit == 8);
-  CHECK(with("sensor_lag", 0, {1}).force_lag == 2);
-  CHECK(with("sensor_creep", 0, {1, 7}).force_creep == 2);
-  CHECK(with("sensor_creep", 0, {1, 7}).creep_time == 7);
+  CHECK(with("saturation", 0, {8}).sensors.response(Channel::Name::Fx).limit == 8);
+  CHECK(with("sensor_lag", 0, {1}).sensors.response(Channel::Name::Fx).lag == 2);
+  CHECK(with("sensor_creep", 0, {1, 7}).sensors.response(Channel::Name::Fx).creep == 2);
+  CHECK(with("sensor_creep", 0, {1, 7}).sensors.response(Channel::Name::Fx).creep_time == 7);
   const Rig tared = with("run_tare", 0, {1, 2, 3, 4, 5, 6}), turned = with("run_rest", 0, {1, 2, 3, 4, 5, 6});
   CHECK(tared.run_tare == std::vector<Vector2>{{2, 4}, {6, 8}, {10, 12}});
   CHECK(turned.run_rest == std::vector<std::vector<double>>{{0, 2, 4}, {0, 6, 8}, {0, 10, 12}});

@@ -29,6 +29,11 @@ TEST_CASE("an effect is possible where the bench meets each of its conditions") 
   };
   const auto no_force = [](CharacteristicScales& s) { s.measures_force = false; };
   const auto no_place = [](CharacteristicScales& s) { s.measured.fill(false); };
+  // That of a drive's delay shows in the same readings.
+  const auto one_kind = [](CharacteristicScales& s) {
+    s.measured.fill(false);
+    s.measured[static_cast<std::size_t>(Channel::Name::q)] = true;
+  };
   const auto no_cell = [](CharacteristicScales& s) { s.load_cell = false; };
   const auto no_clock = [](CharacteristicScales& s) { s.clock = false; };
   const auto no_links = [](CharacteristicScales& s) { s.axes = 1; };
@@ -96,6 +101,16 @@ TEST_CASE("an effect is possible where the bench meets each of its conditions") 
       {"saturation", [](CharacteristicScales& s) { s.at_largest = 3; }},
       {"sensor_lag", no_force},
       {"sensor_lag", no_clock},
+      {"second_drift", no_clock},
+      {"second_cross_talk", no_place},
+      {"second_lag", no_clock},
+      {"place_drift", no_clock},
+      {"place_lag", no_clock},
+      {"camera_skew", no_place},
+      {"angle_lag", no_clock},
+      {"angle_lag", one_kind},
+      {"tilt_lag", no_clock},
+      {"torque_lag", one_kind},
       {"sensor_creep", no_force},
       {"sensor_creep", no_clock},
       {"run_rest", one_run},
