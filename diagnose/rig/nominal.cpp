@@ -41,6 +41,7 @@ Rig without_effects(const Experiment& experiment) {
   rig.sliders.resize(n);
   rig.balance.assign(n, Vector2::Zero());
   rig.command_scale.assign(n, 0);
+  rig.gear_coupling.assign(n, 0);
   rig.encoder.resize(n);
   rig.angle_read.resize(n);
   rig.torque_read.resize(n);

@@ -92,6 +92,7 @@ struct Rig {
   // The drives of the joints, and what reads them.
   double command_delay = 0;              ///< by which what drives impose is behind, s
   std::vector<double> command_scale;     ///< g: a joint is led to 1 + g times its command
+  std::vector<double> gear_coupling;     ///< share of the command of the joint before by which it turns too
   std::vector<Encoder> encoder;          ///< by which a servo leads it; the angles read are theirs
   std::vector<SensorError> angle_read;   ///< of the angles
   std::vector<SensorError> torque_read;  ///< of the torques of the drives
