@@ -234,6 +234,7 @@ Run read_poses_of(const Section& section, const Source& source, const PoseFormat
   run.id = section.name("id", "a name");
   run.control = Control::force;
   run.points = experiment.arm_bench.points.size();
+  run.of_sensors = experiment.arm_bench.sensor_channels(experiment.arm->arm.size());
   if (section.has("control") && section.text("control", "\"command\"") != "command")
     section.refuse("control", "\"command\", or no such key, for an arm");
   PoseFormat own = format;

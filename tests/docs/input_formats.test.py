@@ -63,7 +63,8 @@ EXPERIMENT = {
 SAMPLES = "t,x,y,Fx,Fy,q1,q2,T,Gx,Gy,tension,P,L1,L2\n0,9,0,0,0,0,0,20,0,0,0,0,0,0\n1,9,0,0,0,0,0,20,0,0,1,1,0,0\n"
 # Where a unit of the kind can stand, and what makes it one.
 UNITS = {"length": ("link_length", ""), "torque": ("joint_stiffness", "/rad"), "mass": ("link_mass", ""),
-         "angle": ("rest", ""), "force": ("joint_stiffness", " m/rad"), "pressure": ("joint_stiffness", " m^3/rad"), "duration": ("gravity", "^2")}
+         "angle": ("rest", ""), "force": ("joint_stiffness", " m/rad"), "pressure": ("joint_stiffness", " m^3/rad"), "duration": ("gravity", "^2"),
+         "picture": ("link_length", " m/px")}
 
 
 def toml(value):

@@ -117,6 +117,7 @@ TEST_CASE("a sizeable amount of each effect, by hand") {
                                                         {"link_length", {0.02}},
                                                         {"joint_friction", {0.06}},
                                                         {"joint_scale", {0.01}},
+                                                        {"gear_coupling", {0.01}},
                                                         {"encoder_ripple", {0.003, 0.003}},
                                                         {"joint_compliance", {1e-3 / 1.2}},
                                                         {"joint_balance", {0.12, 0.12}},
