@@ -251,19 +251,6 @@ TorqueLeft left_of(const diagnose::NominalArm& arm, const TorqueLog& log, bool h
   return {log.name, held_out, root(whole), root(model), root(rest)};
 }
 
-/// What the model's masses weigh as points at their centres: the inertias that their first moments imply.
-VectorXd with_point_inertias(const diagnose::NominalArm& arm, VectorXd stated) {
-  for (std::size_t i = 0; i < arm.arm.size(); ++i) {
-    const Eigen::Vector3d c = arm.arm.links[i].centre;
-    const Eigen::Matrix3d inertia =
-        arm.arm.links[i].mass * (c.squaredNorm() * Eigen::Matrix3d::Identity() - c * c.transpose());
-    const auto at = static_cast<Index>(10 * i + 4);
-    stated.segment(at, 6) << inertia(0, 0), inertia(1, 1), inertia(2, 2), inertia(0, 1), inertia(0, 2),
-        inertia(1, 2);
-  }
-  return stated;
-}
-
 }  // namespace
 
 Balance balance_of(const TorqueBench& bench) {
@@ -273,7 +260,7 @@ Balance balance_of(const TorqueBench& bench) {
   const MatrixXd covariance = regression.covariance(solution, lead);
   const Basis& basis = regression.basis();
   const std::vector<BalanceTerm> terms = balance_terms(bench.arm.arm.size());
-  const VectorXd stated = with_point_inertias(bench.arm, stated_terms(bench.arm));
+  const VectorXd stated = stated_terms(bench.arm, bench.inertia);
   Balance result;
   result.name = bench.name;
   result.lead = leads()[lead];

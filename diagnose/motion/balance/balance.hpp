@@ -15,7 +15,7 @@ struct BalanceNumber {
   std::string name;  ///< "Izz(1) + 0.09 m(2)"
   std::string unit;
   double value, low, high;  ///< with the 95 % interval
-  double stated;            ///< by the model; of inertias that of its masses at their centres
+  double stated;            ///< by the model
 };
 
 /// Torque that is left at a joint, root mean square, N m.

@@ -24,7 +24,8 @@ std::vector<BalanceTerm> balance_terms(std::size_t joints);
 Eigen::MatrixXd balance_columns(const diagnose::NominalArm& arm, const Eigen::VectorXd& q,
                                 const Eigen::VectorXd& v, const Eigen::VectorXd& a);
 
-/// Masses and first moments that a model states; zero for all else.
-Eigen::VectorXd stated_terms(const diagnose::NominalArm& arm);
+/// Masses, first moments and inertias that a model states; zero for all else.
+/// \param inertia  by link, about the origin of its frame, kg m^2
+Eigen::VectorXd stated_terms(const diagnose::NominalArm& arm, const std::vector<Eigen::Matrix3d>& inertia);
 
 }  // namespace plumbline::motion

@@ -27,6 +27,13 @@ diagnose::NominalArm double_pendulum() {
   return nominal;
 }
 
+/// About the joints, as far as a motion about z shows them.
+std::vector<Eigen::Matrix3d> inertias() {
+  std::vector<Eigen::Matrix3d> all(2, Eigen::Matrix3d::Zero());
+  all[0](2, 2) = i1 + m1 * r1 * r1, all[1](2, 2) = i2 + m2 * r2 * r2;
+  return all;
+}
+
 /// Ten seconds at 200 Hz of two sines a joint; torques by the equations of motion, `lead` ahead of the
 /// motion.
 TorqueLog log_of(double sigma, double lead, unsigned seed) {
@@ -79,8 +86,7 @@ TEST_CASE("columns times a body's own terms are the torque of its equations of m
   MovingArm<double> moving(nominal.arm);
   moving.inertia[0](2, 2) = i1, moving.inertia[1](2, 2) = i2;
   const Eigen::Vector2d q(0.4, -0.9), v(1.1, 2.3), a(-3, 5);
-  Eigen::VectorXd terms = stated_terms(nominal);
-  terms(6) = i1 + m1 * r1 * r1, terms(16) = i2 + m2 * r2 * r2;  // Izz about the joints; z is the axis
+  const Eigen::VectorXd terms = stated_terms(nominal, inertias());
   // Of inertias about the other axes nothing turns a planar arm.
   const Eigen::VectorXd torque = balance_columns(nominal, q, v, a) * terms;
   const Eigen::VectorXd expected = inverse_dynamics<double>(moving, {q, v}, a);
@@ -90,8 +96,11 @@ TEST_CASE("columns times a body's own terms are the torque of its equations of m
 TEST_CASE(
     "a double pendulum's inertias, first moments and frictions are found, and what no log tells apart is "
     "one") {
-  TorqueBench bench{
-      "pendulum", double_pendulum(), {log_of(1e-4, 0, 1), log_of(1e-4, 0, 2)}, {log_of(1e-4, 0, 3)}};
+  TorqueBench bench{"pendulum",
+                    double_pendulum(),
+                    inertias(),
+                    {log_of(1e-4, 0, 1), log_of(1e-4, 0, 2)},
+                    {log_of(1e-4, 0, 3)}};
   const Balance balance = balance_of(bench);
   auto number = by_name(balance);
   const std::map<std::string, double> truth{{"Izz(1)", i1 + m1 * r1 * r1 + m2 * l1 * l1},
@@ -110,6 +119,8 @@ TEST_CASE(
     // fastest sine (7.9 rad/s, 50 ms), is a thousandth, and friction changes sides within a mean of 0.1 s.
     CHECK(number[name].value == doctest::Approx(value).epsilon(0.03));
   }
+  for (const char* name : {"Izz(1)", "Izz(2)", "my(1)", "my(2)"})  // no rotor or friction is stated
+    CHECK(number[name].stated == doctest::Approx(truth.at(name)).epsilon(1e-3));
   CHECK(number["Izz(1)"].name.find("m(2)") != std::string::npos);
   CHECK(number["Izz(1)"].name.find("armature(1)") != std::string::npos);
   CHECK(balance.lead == 0);
@@ -121,7 +132,7 @@ TEST_CASE(
     "what no torque depends on is in no number: first moments of a link that turns about the vertical") {
   diagnose::NominalArm upright = double_pendulum();
   upright.arm.gravity = {0, 0, -9.81};  // along the axes
-  const Balance balance = balance_of({"pendulum", upright, {log_of(1e-4, 0, 1)}, {}});
+  const Balance balance = balance_of({"pendulum", upright, inertias(), {log_of(1e-4, 0, 1)}, {}});
   REQUIRE(!balance.numbers.empty());
   for (const BalanceNumber& one : balance.numbers) {
     CAPTURE(one.name);
@@ -131,7 +142,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a torque that is ahead of its motion is told") {
-  TorqueBench bench{"pendulum", double_pendulum(), {log_of(1e-4, 0.008, 1)}, {}};
+  TorqueBench bench{"pendulum", double_pendulum(), inertias(), {log_of(1e-4, 0.008, 1)}, {}};
   CHECK(balance_of(bench).lead == close_to(0.008));
 }
 
