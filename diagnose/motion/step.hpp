@@ -42,12 +42,12 @@ template <class Real>
 Forces<Real> forces_at(const Drive<Real>& drive, const Imposed<Real>& now, const Real& acting,
                        const Real& q) {
   using std::sin, std::cos;
-  constexpr double gravity = 9.81;  // m/s^2
+  constexpr double standard_gravity = 9.81;  // m/s^2
   const Real at = joint_angle(drive, q), angle = at + drive[Term::zero];
   Real against = now.gravity * sin(angle);
   if (drive.has(Term::base_motion))
-    against =
-        against + drive[Term::base_motion] * (now.gravity * now.base_acceleration / gravity) * cos(angle);
+    against = against + drive[Term::base_motion] * (now.gravity * now.base_acceleration / standard_gravity) *
+                            cos(angle);
   if (drive.has(Term::load_mass)) against = (1 + drive[Term::load_mass]) * against;
   if (drive.has(Term::spring)) against = against + drive[Term::spring] * angle;
   if (drive.has(Term::contact_above) || drive.has(Term::contact_below))

@@ -12,6 +12,7 @@ using Eigen::Index, Eigen::Matrix3d, Eigen::Vector3d;
 
 constexpr std::array of_link{"m", "mx", "my", "mz", "Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz"};
 constexpr std::array of_joint{"armature", "viscous friction", "dry friction", "offset"};
+static_assert(std::ssize(of_link) == terms_of_link && std::ssize(of_joint) == terms_of_joint);
 
 /// A link of mass one, its centre here, and no inertia about the origin of its frame. No body is like that,
 /// and the equations do not mind.

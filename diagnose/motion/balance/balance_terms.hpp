@@ -2,12 +2,15 @@
 /// \file
 /// The torque of an arm's drives, linear in its inertias and frictions.
 
+#include <Eigen/Core>
 #include <string>
 #include <vector>
 
 #include "diagnose/bench/nominal_arm.hpp"
 
 namespace plumbline::motion {
+
+inline constexpr Eigen::Index terms_of_link = 10, terms_of_joint = 4;
 
 /// A number that the torque is linear in.
 struct BalanceTerm {

@@ -12,8 +12,8 @@
 namespace plumbline::motion {
 namespace {
 
-constexpr double l1 = 0.3, m1 = 0.6, r1 = 0.25, i1 = 0.004, m2 = 0.5, r2 = 0.18, i2 = 0.003, dry1 = 0.09,
-                 dry2 = 0.07, viscous2 = 0.02, rotor2 = 0.002;
+constexpr double l1 = 0.3, l2 = 0.25, m1 = 0.6, r1 = 0.25, i1 = 0.004, m2 = 0.5, r2 = 0.18, i2 = 0.003,
+                 dry1 = 0.09, dry2 = 0.07, viscous2 = 0.02, rotor2 = 0.002;
 
 /// Two links that swing about z in a vertical plane and hang along -y at zero.
 diagnose::NominalArm double_pendulum() {
@@ -23,24 +23,29 @@ diagnose::NominalArm double_pendulum() {
   nominal.arm.links[1].frame.translation() = Eigen::Vector3d(0, -l1, 0);
   nominal.arm.links[0].mass = m1, nominal.arm.links[0].centre = {0, -r1, 0};
   nominal.arm.links[1].mass = m2, nominal.arm.links[1].centre = {0, -r2, 0};
+  nominal.arm.tip.translation() = Eigen::Vector3d(0, -l2, 0);
   nominal.joint = {"one", "two"}, nominal.link = {"upper", "lower"};
   return nominal;
 }
 
-/// About the joints, as far as a motion about z shows them.
+/// About the joints: of slender rods along y.
 std::vector<Eigen::Matrix3d> inertias() {
   std::vector<Eigen::Matrix3d> all(2, Eigen::Matrix3d::Zero());
-  all[0](2, 2) = i1 + m1 * r1 * r1, all[1](2, 2) = i2 + m2 * r2 * r2;
+  all[0](0, 0) = all[0](2, 2) = i1 + m1 * r1 * r1, all[1](0, 0) = all[1](2, 2) = i2 + m2 * r2 * r2;
   return all;
+}
+
+MovingArm<double> moving_pendulum() {
+  MovingArm<double> moving(double_pendulum().arm);
+  moving.inertia[0](2, 2) = i1, moving.inertia[1](2, 2) = i2;
+  moving.armature(1) = rotor2;
+  return moving;
 }
 
 /// Ten seconds at 200 Hz of two sines a joint; torques by the equations of motion, `lead` ahead of the
 /// motion.
-TorqueLog log_of(double sigma, double lead, unsigned seed) {
-  const diagnose::NominalArm nominal = double_pendulum();
-  MovingArm<double> moving(nominal.arm);
-  moving.inertia[0](2, 2) = i1, moving.inertia[1](2, 2) = i2;
-  moving.armature(1) = rotor2;
+TorqueLog log_of(double sigma, double lead, unsigned seed,
+                 const MovingArm<double>& moving = moving_pendulum()) {
   std::mt19937 generator(seed);
   std::normal_distribution<double> noise(0, sigma);
   TorqueLog log{"log", {}, Eigen::MatrixXd(2000, 2), Eigen::MatrixXd(2000, 2)};
@@ -139,6 +144,44 @@ TEST_CASE(
     for (const char* term : {"mx(1)", "my(1)", "mz(1)", "mz(2)"})
       CHECK(one.name.find(term) == std::string::npos);
   }
+}
+
+TEST_CASE("a model that is right is the first of its changes, and contradicts itself in nothing") {
+  const Balance balance = balance_of({"pendulum", double_pendulum(), inertias(), {log_of(1e-4, 0, 1)}, {}});
+  CHECK(balance.causes.front().id == "as_stated");
+  CHECK(balance.contradictions.empty());
+}
+
+TEST_CASE("a load at the tip is told from another torque constant, with its mass") {
+  constexpr double load = 0.4;
+  MovingArm<double> moving = moving_pendulum();
+  ArmLink<double>& link = moving.arm.links[1];
+  link.mass = m2 + load, link.centre = {0, -(m2 * r2 + load * l2) / link.mass, 0};
+  const double r = -link.centre.y();
+  moving.inertia[1](2, 2) = i2 + m2 * (r2 - r) * (r2 - r) + load * (l2 - r) * (l2 - r);
+  const Balance balance =
+      balance_of({"pendulum", double_pendulum(), inertias(), {log_of(1e-4, 0, 1, moving)}, {}});
+  const BalanceCause& first = balance.causes.front();
+  CHECK(first.id == "payload");
+  CHECK(first.probability > 0.95);
+  // As accurate as derivatives and turns of friction within a mean let it be (above).
+  CHECK(first.numbers.front().value == doctest::Approx(load).epsilon(0.03));
+}
+
+TEST_CASE("a drive whose torque is told a third too large is told by its joint") {
+  TorqueLog log = log_of(1e-4, 0, 1);
+  log.torque.col(1) *= 1.3;
+  const Balance balance = balance_of({"pendulum", double_pendulum(), inertias(), {log}, {}});
+  CHECK(balance.causes.front().id == "torque_constant(2)");
+  CHECK(balance.causes.front().numbers.front().value == doctest::Approx(0.3).epsilon(0.1));
+}
+
+TEST_CASE("an inertia that no body has is told as a contradiction of the model") {
+  std::vector<Eigen::Matrix3d> impossible = inertias();
+  impossible[1](2, 2) = 0;  // less than that of its mass at its centre
+  const Balance balance = balance_of({"pendulum", double_pendulum(), impossible, {log_of(1e-4, 0, 1)}, {}});
+  REQUIRE(balance.contradictions.size() == 1);
+  CHECK(balance.contradictions.back().find("lower") != std::string::npos);
 }
 
 TEST_CASE("a torque that is ahead of its motion is told") {
