@@ -106,8 +106,7 @@ void refuse_for_motion(const DiagnoseOptions& options,
   others.insert(others.end(), {{"--model", options.model}, {"--effects", options.effects}});
   for (const auto& [name, value] : others)
     if (!value.empty()) throw Error(name, "an experiment of motion", "a bench of loads or poses");
-  if (options.plan || options.since)
-    throw Error(options.plan ? "--plan" : "--since", "an experiment of motion", "a bench of loads or poses");
+  if (options.since) throw Error("--since", "an experiment of motion", "a bench of loads or poses");
 }
 
 void run_motion(const DiagnoseOptions& options, const CLI::App& verb) {
@@ -116,6 +115,10 @@ void run_motion(const DiagnoseOptions& options, const CLI::App& verb) {
                                 {"--corrected", options.corrected},
                                 {"--next", options.next ? "yes" : ""}});
     return diagnose_motion_change({options.input(), options.against, options.json, "", options.check}, verb);
+  }
+  if (options.plan) {
+    refuse_for_motion(options, {{"--change", options.change}});
+    return plan_motion(options.experiments.front(), options.json, verb);
   }
   refuse_for_motion(options, {});
   diagnose_motion(options.experiments.front(), {options.json, options.html, options.corrected}, options.next,
@@ -126,6 +129,7 @@ void run_torques(const DiagnoseOptions& options, const CLI::App& verb) {
   refuse_for_motion(options, {{"--html", options.html},
                               {"--corrected", options.corrected},
                               {"--against", options.against},
+                              {"--plan", options.plan ? "yes" : ""},
                               {"--next", options.next ? "yes" : ""}});
   balance_torques(options.experiments.front(), options.json, verb);
 }
@@ -198,7 +202,7 @@ void add_diagnose(CLI::App& app) {
       "--plan", options->plan,
       "Before any data, from experiment.toml, whose runs may be without samples or hold commands "
       "alone: which effects the bench cannot detect, which it cannot distinguish, and the fewest "
-      "runs that distinguish the rest");
+      "runs that distinguish the rest. Of a joint in motion: the same of the motions that [[motion]] lists");
   verb->add_option(
           "--change", options->change,
           "With --plan: the fewest runs that, made once more, would show a change of this size, such as "

@@ -9,6 +9,7 @@
 #include "app/progress.hpp"
 #include "diagnose/motion/balance/balance_report.hpp"
 #include "diagnose/motion/corrected_joint.hpp"
+#include "diagnose/motion/motion_plan_report.hpp"
 #include "diagnose/motion/page.hpp"
 #include "diagnose/motion/read_bench.hpp"
 #include "diagnose/motion/report.hpp"
@@ -60,6 +61,17 @@ void diagnose_motion(const std::string& folder, const MotionFiles& files, bool n
     fmt::print("{}{}{}", as_text(diagnosis),
                next || diagnosis.verdict == diagnose::CauseVerdict::ambiguous ? next_text(diagnosis) : "",
                model ? as_text(files.corrected, written) : "");
+}
+
+void plan_motion(const std::string& folder, const std::string& json, const CLI::App& verb) {
+  Outputs outputs(verb, {std::filesystem::path(folder) / "experiment.toml"});
+  files::OutputFile* const file = outputs.open("--json", json);
+  const motion::Bench bench = motion::read_planned_bench(folder);
+  const motion::MotionPlan plan =
+      with_progress("plan", [&](const auto& show) { return motion::plan_of(bench, show); });
+  if (file) file->write(page::json_text(as_json(plan), outputs.provenance()));
+  outputs.commit();
+  if (json != "-") fmt::print("{}", as_text(plan));
 }
 
 }  // namespace plumbline::app

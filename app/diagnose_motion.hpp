@@ -18,6 +18,10 @@ struct MotionFiles {
 /// \param next  whether the motion to be logged next is told where the cause is clear, too
 void diagnose_motion(const std::string& folder, const MotionFiles& files, bool next, const CLI::App& verb);
 
+/// What the planned motions of an experiment can show.
+/// \param json  file for the plan as JSON; or empty
+void plan_motion(const std::string& folder, const std::string& json, const CLI::App& verb);
+
 /// Whether the folder holds logs of an arm's torques.
 bool is_of_torques(const std::string& folder);
 

@@ -18,16 +18,17 @@ def rows_of(name, row, pattern):
 def channels():
     """A row for each sensor, with its channels."""
     header, code = ((CODE / name).read_text(encoding="utf-8") for name in ("channel.hpp", "channel.cpp"))
-    sensors = re.search(r"enum class Sensor \{ (.*?) \}", header)[1].split(", ")
+    sensors = re.findall(r"\w+", re.search(r"enum class Sensor \{(.*?)\}", header, re.S)[1])
     units_of = re.findall(r'"([^"]+)"', re.search(r"sensors> units\{(.*?)\}", code, re.S)[1])
-    rows = rows_of("channel.hpp", r"ChannelKind\{Name::", r'\w+,\s+"(\w+)",\s+"(\w+)",\s+Sensor::(\w+),\s+Of::(\w+),\s+Index::(\w+)')
+    rows = rows_of("channel.hpp", r"ChannelKind\{Name::", r'\w+,\s+"([\w ]+)",\s+"(\w+)",\s+Sensor::(\w+),\s+Of::(\w+),\s+Index::(\w+)')
     yield "\n## Channels\n\nA channel is a column of readings; those of one sensor share the scale of their noise.\n\n| sensor | unit | channels |\n|---|---|---|\n"
     for sensor, unit in zip(sensors, units_of, strict=True):
         names = {}
         for label, noise, own, owner, index in rows:
             if own == sensor:
                 shown = {"none": f"`{label}`", "joint": f"`{label}1` …",
-                         "coordinate": f"`{'r' if label == 'r' else ''}x1` … (`noise.{noise}`)"}[index]
+                         "coordinate": f"`{'r' if label == 'r' else ''}x1` … (`noise.{noise}`)",
+                         "sensor": ", ".join(f"`{one}1`" for one in label.split()) + f" … (`noise.{noise}`)"}[index]
                 names.setdefault(OWNERS[owner], []).append(shown)
         yield f"| {sensor.replace('_', ' ')} | {unit} | {'; '.join(', '.join(one) + owner for owner, one in names.items())} |\n"
 

@@ -26,6 +26,7 @@ FORMATS = [
     ("experiment", "experiment.toml", "Makes a folder an [experiment](experiment-format.md).", ""),
     ("arm-experiment", "experiment.toml of an arm", "Beside the keys above, for an [arm in space](arms.md).", False),
     ("motion-experiment", "experiment.toml of a joint in motion", "For [logs of a joint](motion.md).", " of logs"),
+    ("torque-experiment", "experiment.toml of an arm with torques", "For [torques of an arm](motion.md).", " of torques"),
     ("user-effects", "Effects of your own", "The file of `--effects` ([how](user-effects.md)).", False),
 ]
 

@@ -163,6 +163,7 @@ Diagnosis diagnose(const Study& study, const std::function<void(double)>& progre
                       {}};
   if (study.experiment().arm) diagnosis.joints = study.experiment().arm->joint;
   diagnosis.calibration = study.experiment().arm_bench.calibration;
+  diagnosis.assumed_density = study.experiment().arm_bench.assumed_density;
   diagnosis.gap.present = gap;
   diagnosis.gap.probability = 1 - posterior.no_gap;
   diagnosis.gap.log_odds = posterior.log_odds_of_gap;

@@ -33,6 +33,7 @@ struct Diagnosis {
   std::vector<Proposal> proposals;       ///< for `ambiguous`, or on request: what to measure next
   std::vector<std::string> joints = {};  ///< names that the model of an arm has for them; empty without
   std::shared_ptr<const Calibration> calibration = nullptr;  ///< beside which the causes stand, or none
+  double assumed_density = 0;  ///< of links without masses in their model, kg/m; 0 where these have some
 
   /// Whether the law stands in for a cause, or for what a part of it leaves: `shrink` is then the law's.
   [[nodiscard]] bool offers_law() const { return cause.leaves_a_rest() && law && law->shrink; }

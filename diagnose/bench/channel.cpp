@@ -1,12 +1,14 @@
 #include "diagnose/bench/channel.hpp"
 
+#include <algorithm>
+
 #include "diagnose/bench/experiment.hpp"
 
 namespace plumbline::diagnose {
 
 std::string label(Sensor sensor) {
-  constexpr std::array words{"position", "force",        "angle",        "orientation",
-                             "torque",   "second force", "second torque"};
+  constexpr std::array words{"position",     "force",         "angle",    "orientation", "torque",
+                             "second force", "second torque", "distance", "pixel"};
   static_assert(words.size() == sensors);
   return words[place_of(sensor)];
 }
@@ -23,6 +25,11 @@ std::string Channel::label() const {
     case ChannelKind::Index::coordinate:
       return (sensor() == Sensor::orientation ? "r" : "") + std::string(1, "xyz"[joint % 3]) +
              std::to_string(joint / 3 + 1);
+    case ChannelKind::Index::sensor: {
+      const std::size_t blank = std::min(stem.find(' '), stem.size());
+      return (joint % 2 == 0 ? stem.substr(0, blank) : stem.substr(blank + 1)) +
+             std::to_string(joint / 2 + 1);
+    }
     case ChannelKind::Index::none:
       break;
   }
@@ -30,7 +37,7 @@ std::string Channel::label() const {
 }
 
 std::string_view unit(Sensor sensor) {
-  constexpr std::array<std::string_view, sensors> units{"m", "N", "rad", "rad", "N m", "N", "N m"};
+  constexpr std::array<std::string_view, sensors> units{"m", "N", "rad", "rad", "N m", "N", "N m", "m", "px"};
   return units[place_of(sensor)];
 }
 

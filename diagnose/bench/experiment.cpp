@@ -124,6 +124,15 @@ std::vector<Channel> Run::measurable() const {
     for (const Name name : {Name::place, Name::turn})
       for (std::size_t axis = 0; axis < 3; ++axis) channels.emplace_back(name, 3 * p + axis, joints);
   if (points > 0) add_joints(Of::arm);
+  channels.insert(channels.end(), of_sensors.begin(), of_sensors.end());
+  return channels;
+}
+
+std::vector<Channel> ArmBench::sensor_channels(std::size_t joints) const {
+  std::vector<Channel> channels;
+  for (std::size_t s = 0; s < sensors.size(); ++s)
+    for (std::size_t i = 0; i < sensors[s].kind->numbers; ++i)
+      channels.push_back(sensors[s].channel(s, i, joints, points.size()));
   return channels;
 }
 

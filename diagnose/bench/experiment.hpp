@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "diagnose/bench/arm_sensor.hpp"
 #include "diagnose/bench/channel.hpp"
 #include "diagnose/bench/load.hpp"
 #include "diagnose/bench/nominal_chain.hpp"
@@ -105,8 +106,9 @@ struct Run {
   std::size_t number = 0;  ///< of all runs of the experiment, from 0; see Experiment::run_count
   std::vector<Origin> origins =
       {};  ///< of t, x, y, Fx, Fy, the joint angles and covariates; empty where it was not read
-  Alone alone = Alone::no;        ///< of whose bench it is a run
-  std::size_t points = 0;         ///< that are measured of an arm in space; 0 for other benches
+  Alone alone = Alone::no;               ///< of whose bench it is a run
+  std::size_t points = 0;                ///< that are measured of an arm in space; 0 for other benches
+  std::vector<Channel> of_sensors = {};  ///< the channels of an arm's sensors beside the tracker
   bool begins_moving = false;     ///< the first reading was taken on the way; else the run begins relaxed
   bool by_weights = false;        ///< an imposed force is that of weights, not of a servo with a load cell
   bool weights_inferred = false;  ///< by_weights follows from the forces, not from the experiment's file
@@ -199,13 +201,18 @@ struct MeasuredPoint {
 
 /// The bench of an arm in space.
 struct ArmBench {
-  /// Where the tracker stands, and where the points sit on their links: as declared, or anywhere.
+  /// Where tracker and sensors stand, and where the points sit on their links: as declared, or anywhere.
   enum class Frames { known, unknown };
 
   std::vector<MeasuredPoint> points;
   OnLink<double> load{0};  ///< where the wrench acts
   Frames frames = Frames::known;
   std::shared_ptr<const Calibration> calibration = nullptr;  ///< of the nominal arm, or none
+  double assumed_density = 0;  ///< of links without masses in their model, kg/m; 0 where these have some
+  std::vector<ArmSensor> sensors = {};  ///< beside the tracker
+
+  /// What the sensors read. \param joints  of the arm
+  [[nodiscard]] std::vector<Channel> sensor_channels(std::size_t joints) const;
 };
 
 /// The nominal model, the bench and the runs.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -134,11 +135,57 @@ std::vector<MeasuredPoint> read_points(const Section& section, const NominalArm&
   return points;
 }
 
+/// The orientation of a sensor that nothing is said of: z upwards.
+Eigen::Matrix3d upright(const Vector3<double>& gravity) {
+  if (gravity.isZero(0)) return Eigen::Matrix3d::Identity();
+  return Eigen::Quaterniond::FromTwoVectors(Vector3<double>::UnitZ(), -gravity).toRotationMatrix();
+}
+
+ArmSensor read_sensor(const Section& section, const ReadArmBench& read) {
+  section.allow_only({"name", "kind", "point", "xyz", "rpy", "focal_length"});
+  std::vector<std::string> kinds;
+  for (const ArmSensorKind& kind : arm_sensor_kinds()) kinds.emplace_back(kind.key);
+  const std::string key = section.one_of("kind", kinds);
+  ArmSensor sensor{section.name("name", "a name"),
+                   &*std::ranges::find(arm_sensor_kinds(), key, &ArmSensorKind::key)};
+  const std::vector<MeasuredPoint>& points = read.bench.points;
+  if (section.has("point")) {
+    const auto found = std::ranges::find(points, section.text("point", "a name"), &MeasuredPoint::name);
+    if (found == points.end()) section.refuse("point", "the name of an [[arm.point]], or no such key");
+    sensor.point = static_cast<std::size_t>(found - points.begin());
+  }
+  sensor.at = pose(section, "xyz", "rpy");
+  if (!section.has("rpy")) sensor.at.linear() = upright(read.arm.arm.gravity);
+  if (section.has("focal_length")) {
+    if (!sensor.kind->has_focal_length) section.refuse("focal_length", "such a key of a camera alone");
+    sensor.focal_length = section.number("focal_length", "px");
+    if (!(sensor.focal_length > 0)) section.refuse("focal_length", "a positive number, px");
+  } else if (sensor.kind->has_focal_length) {
+    if (read.bench.frames == ArmBench::Frames::known)
+      throw Error(section.place("focal_length"), "no such key", "px, or arm.frames = \"unknown\"");
+    sensor.knows_focal_length = false;
+  }
+  return sensor;
+}
+
+std::vector<ArmSensor> read_sensors(const Section& section, const ReadArmBench& read) {
+  std::vector<ArmSensor> sensors;
+  std::set<std::string> names;
+  for (const MeasuredPoint& point : read.bench.points) names.insert(point.name);
+  for (const Section& one : section.tables("sensor")) {
+    sensors.push_back(read_sensor(one, read));
+    if (!names.insert(sensors.back().name).second)
+      throw Error(one.place("name"), "\"" + sensors.back().name + "\" again",
+                  "a name that no other sensor or point has");
+  }
+  return sensors;
+}
+
 }  // namespace
 
 ReadArmBench read_arm(const Section& section, const ReadArm& read) {
   section.allow_only({"model", "base", "tip", "joint", "tip_xyz", "tip_rpy", "base_xyz", "base_rpy",
-                      "gravity", "joint_stiffness", "point", "load", "encoder", "frames"});
+                      "gravity", "joint_stiffness", "point", "load", "encoder", "frames", "sensor"});
   ReadArmBench result{read_nominal_arm(section, read), {}};
   const NominalArm& nominal = result.arm;
   require_physical(nominal.arm);
@@ -147,6 +194,7 @@ ReadArmBench read_arm(const Section& section, const ReadArm& read) {
                                           : OnLink<double>{nominal.arm.size() - 1, nominal.arm.tip};
   if (section.has("frames") && section.one_of("frames", {"known", "unknown"}) == "unknown")
     result.bench.frames = ArmBench::Frames::unknown;
+  result.bench.sensors = read_sensors(section, result);
   if (section.has("encoder")) result.motor_side = section.one_of("encoder", {"link", "motor"}) == "motor";
   return result;
 }

@@ -9,6 +9,7 @@
 #include <plumbline/base/error.hpp>
 #include <set>
 
+#include "diagnose/bench/assumed_weight.hpp"
 #include "diagnose/bench/continued_runs.hpp"
 #include "diagnose/bench/covariates.hpp"
 #include "diagnose/bench/end_kind.hpp"
@@ -233,6 +234,7 @@ Run read_poses_of(const Section& section, const Source& source, const PoseFormat
   run.id = section.name("id", "a name");
   run.control = Control::force;
   run.points = experiment.arm_bench.points.size();
+  run.of_sensors = experiment.arm_bench.sensor_channels(experiment.arm->arm.size());
   if (section.has("control") && section.text("control", "\"command\"") != "command")
     section.refuse("control", "\"command\", or no such key, for an arm");
   PoseFormat own = format;
@@ -271,6 +273,7 @@ Experiment read_arm_settings(const Section& root, const Source& source) {
   }
   experiment.covariates = complete_covariates(experiment.runs, root.place("run"), {});
   count_from_first_reading(experiment.runs);
+  assume_weights(experiment);
   return experiment;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <plumbline/base/error.hpp>
+#include <set>
 #include <span>
 
 #include "diagnose/bench/median.hpp"
@@ -35,10 +36,12 @@ class Columns {
           .reads.emplace(Name::drive, j, joints_);
     for (std::size_t p = 0; p < experiment.arm_bench.points.size(); ++p)
       add_point(experiment.arm_bench.points[p].name, p);
+    for (std::size_t s = 0; s < experiment.arm_bench.sensors.size(); ++s) add_sensor(experiment.arm_bench, s);
     for (const char* name : {"Fx", "Fy", "Fz"}) add(name, quantity::force, force_, Says::wrench);
     for (const char* name : {"Mx", "My", "Mz"}) add(name, quantity::torque, moment_, Says::wrench);
     add("weight", quantity::mass, mass_, Says::other);
     all_.push_back(own_column("temperature", nullptr));
+    require_distinct();
   }
 
   [[nodiscard]] std::vector<Column> all() && { return std::move(all_); }
@@ -76,6 +79,31 @@ class Columns {
       column.says = Says::other, column.group = name + "_q";
       all_.push_back(std::move(column));
     }
+  }
+
+  void add_sensor(const ArmBench& bench, std::size_t number) {
+    const ArmSensor& sensor = bench.sensors[number];
+    for (std::size_t i = 0; i < sensor.kind->numbers; ++i) {
+      const Channel channel = sensor.channel(number, i, joints_, bench.points.size());
+      const bool length = channel.sensor() == Sensor::distance, pixel = channel.sensor() == Sensor::pixel;
+      add(sensor.name + std::string(sensor.kind->column[i]),
+          length  ? quantity::length
+          : pixel ? quantity::pixel
+                  : quantity::angle,
+          length  ? place_
+          : pixel ? si_unit(quantity::pixel)
+                  : angle_,
+          Says::channel)
+          .reads = channel;
+    }
+  }
+
+  void require_distinct() const {
+    std::set<std::string> names;
+    for (const Column& column : all_)
+      if (!names.insert(column.name).second)
+        throw Error("arm", "two columns \"" + files::shown(column.name) + "\"",
+                    "names of points and sensors by which each column has its own");
   }
 
   std::size_t joints_;

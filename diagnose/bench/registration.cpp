@@ -120,23 +120,6 @@ Frames descended(Frames at, const std::vector<Sight>& sights, int iterations) {
   return at;
 }
 
-/// The rotations that turn axes into axes.
-std::vector<Eigen::Matrix3d> turns_of_axes() {
-  std::vector<Eigen::Matrix3d> all;
-  for (Eigen::Index x = 0; x < 3; ++x)
-    for (Eigen::Index y = 0; y < 3; ++y)
-      for (const double sign_x : {1.0, -1.0})
-        for (const double sign_y : {1.0, -1.0}) {
-          if (x == y) continue;
-          Eigen::Matrix3d turn;
-          turn.col(0) = sign_x * Vector3<double>::Unit(x);
-          turn.col(1) = sign_y * Vector3<double>::Unit(y);
-          turn.col(2) = turn.col(0).cross(turn.col(1));
-          all.push_back(turn);
-        }
-  return all;
-}
-
 /// The rotation that is nearest to all of some.
 Eigen::Matrix3d mean_rotation(const Eigen::Matrix3d& sum) {
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
@@ -193,6 +176,22 @@ void turn_to_mean(Experiment& experiment, std::size_t point) {
 
 }  // namespace
 
+std::vector<Eigen::Matrix3d> turns_of_axes() {
+  std::vector<Eigen::Matrix3d> all;
+  for (Eigen::Index x = 0; x < 3; ++x)
+    for (Eigen::Index y = 0; y < 3; ++y)
+      for (const double sign_x : {1.0, -1.0})
+        for (const double sign_y : {1.0, -1.0}) {
+          if (x == y) continue;
+          Eigen::Matrix3d turn;
+          turn.col(0) = sign_x * Vector3<double>::Unit(x);
+          turn.col(1) = sign_y * Vector3<double>::Unit(y);
+          turn.col(2) = turn.col(0).cross(turn.col(1));
+          all.push_back(turn);
+        }
+  return all;
+}
+
 void move_tracker(Experiment& experiment, const Pose<double>& frame) {
   const Pose<double> back = frame.inverse();
   const std::size_t joints = experiment.arm->arm.size();
@@ -207,6 +206,7 @@ void move_tracker(Experiment& experiment, const Pose<double>& frame) {
             rotation_vector<double>(from.transpose() * back.linear() * from * rotation_by<double>(turn)));
     }
   });
+  for (ArmSensor& sensor : experiment.arm_bench.sensors) sensor.at = back * sensor.at;
 }
 
 void move_point(Experiment& experiment, std::size_t point, const Pose<double>& by) {

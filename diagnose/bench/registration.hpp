@@ -6,7 +6,10 @@
 
 namespace plumbline::diagnose {
 
-/// Tells all places and orientations in another frame.
+/// The rotations that turn axes into axes, from which a search for a frame starts.
+std::vector<Eigen::Matrix3d> turns_of_axes();
+
+/// Tells all places and orientations in another frame; sensors beside the tracker are where they are.
 /// \param frame  the present frame of the tracker, in the one in which they were told; that of the arm's world
 ///               becomes the present one
 void move_tracker(Experiment& experiment, const Pose<double>& frame);

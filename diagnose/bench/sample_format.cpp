@@ -178,7 +178,10 @@ void read_columns(const Section& columns, SampleFormat& format) {
 const Quantity& quantity_of(Sensor sensor) {
   switch (sensor) {
     case Sensor::position:
+    case Sensor::distance:
       return quantity::length;
+    case Sensor::pixel:
+      return quantity::pixel;
     case Sensor::force:
     case Sensor::second_force:
       return quantity::force;

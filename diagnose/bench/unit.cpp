@@ -30,6 +30,7 @@ const Quantity torque{"a torque", {2, 1, -2, 0}, "N m", "N m, N mm, N cm, kgf cm
 const Quantity acceleration{"an acceleration", {.length = 1, .time = -2}, "m/s^2", "m/s^2, mm/s^2, ft/s^2"};
 const Quantity pressure{"a pressure", {-1, 1, -2, 0}, "Pa", "Pa, kPa, MPa, bar, mbar, lbf/in^2"};
 const Quantity volume{"a volume", {.length = 3}, "m^3", "m^3, cm^3, mm^3"};
+const Quantity pixel{"a place in a picture", {.pixel = 1}, "px", "px"};
 
 }  // namespace quantity
 namespace {
@@ -43,7 +44,7 @@ struct Symbol {
 
 constexpr std::array symbols = [] {
   constexpr Dimension length{1, 0, 0, 0}, mass{0, 1, 0, 0}, duration{0, 0, 1, 0}, angle{0, 0, 0, 1},
-      force{1, 1, -2, 0}, torque{2, 1, -2, 0}, pressure{-1, 1, -2, 0};
+      force{1, 1, -2, 0}, torque{2, 1, -2, 0}, pressure{-1, 1, -2, 0}, picture{.pixel = 1};
   return std::array{
       Symbol{"m", "1", length},
       Symbol{"km", "1e3", length},
@@ -96,6 +97,7 @@ constexpr std::array symbols = [] {
       Symbol{"degree", "1", angle, 180},
       Symbol{"degrees", "1", angle, 180},
       Symbol{"rev", "360", angle, 180},
+      Symbol{"px", "1", picture},
   };
 }();
 
@@ -110,6 +112,7 @@ struct Product {
     dimension.mass += power * of.mass;
     dimension.time += power * of.time;
     dimension.angle += power * of.angle;
+    dimension.pixel += power * of.pixel;
   }
 };
 

@@ -14,9 +14,9 @@
 
 namespace plumbline::diagnose {
 
-/// Exponents of length, mass, time and angle.
+/// Exponents of length, mass, time, angle and picture elements.
 struct Dimension {
-  int length = 0, mass = 0, time = 0, angle = 0;
+  int length = 0, mass = 0, time = 0, angle = 0, pixel = 0;
   bool operator==(const Dimension&) const = default;
 };
 
@@ -30,7 +30,7 @@ struct Quantity {
 
 namespace quantity {
 extern const Quantity length, force, angle, time, mass, stiffness, acceleration, torque, sliding_stiffness,
-    pressure, volume;
+    pressure, volume, pixel;
 }
 
 struct Unit {

@@ -6,6 +6,7 @@
 #include <plumbline/base/error.hpp>
 
 #include "diagnose/bench/registration.hpp"
+#include "diagnose/bench/sensor_registration.hpp"
 #include "diagnose/calibration/columns.hpp"
 #include "diagnose/calibration/unseen.hpp"
 #include "diagnose/inference/least_squares.hpp"
@@ -20,6 +21,7 @@ class Calibrator {
   Study result() {
     require_reached();
     tracker_ = register_frames(experiment_);
+    register_sensors(experiment_);
     constexpr int rounds = 3;
     for (int round = 0; round < rounds; ++round) {
       fit_at(everything(), round > 0);
@@ -73,10 +75,11 @@ class Calibrator {
 
   void require_enough() const {
     constexpr Eigen::Index beside_frames = 3;
-    if (values_.size() <= frames_.cols() + beside_frames)
+    const Eigen::Index unknowns = beside_frames + (frames_.array() != 0).colwise().any().count();
+    if (values_.size() <= unknowns)
       throw Error("experiment \"" + experiment_.name + "\"",
-                  fmt::format("{} measured values of places and orientations", values_.size()),
-                  fmt::format("more than {}, or arm.frames = \"known\"", frames_.cols() + beside_frames));
+                  fmt::format("{} measured values", values_.size()),
+                  fmt::format("more than {}, or arm.frames = \"known\"", unknowns));
     if (!values_.allFinite() || effects_.everywhere == 0)
       throw Error("experiment \"" + experiment_.name + "\"", "poses that the calibrated arm does not hold",
                   "joints and links that are stiffer than their loads, or arm.frames = \"known\"");

@@ -129,6 +129,13 @@ Pose<double> move_frames(Experiment& experiment, const VectorXd& coefficients) {
     by.linear() = rotation_by<double>(coefficients.segment<3>(6 * frame + 3));
     return by;
   };
+  std::vector<ArmSensor>& beside_tracker = experiment.arm_bench.sensors;
+  const auto first = static_cast<Eigen::Index>(1 + experiment.arm_bench.points.size());
+  for (Eigen::Index s = 0; s < std::ssize(beside_tracker); ++s) {
+    ArmSensor& sensor = beside_tracker[static_cast<std::size_t>(s)];
+    sensor.at = sensor.at * motion(first + s);
+    sensor.focal_length *= std::exp(coefficients(6 * (first + std::ssize(beside_tracker)) + s));
+  }
   // The columns are those of a tracker that moves by this: what it tells moves back.
   const Pose<double> moved = motion(0).inverse();
   move_tracker(experiment, moved);
@@ -155,16 +162,27 @@ std::vector<SolvedFrame> solved(const ArmBench& declared, const Experiment& expe
   precision.diagonal().array() += unknown * precision.diagonal().maxCoeff();
   const VectorXd variance =
       precision.ldlt().solve(MatrixXd::Identity(precision.rows(), precision.cols())).diagonal();
-  std::vector<SolvedFrame> all;
-  for (std::size_t f = 0; f <= experiment.arm_bench.points.size(); ++f) {
-    const auto first = static_cast<Eigen::Index>(6 * f);
-    SolvedFrame one{f == 0 ? "tracker" : experiment.arm_bench.points[f - 1].name,
-                    f == 0 ? tracker : experiment.arm_bench.points[f - 1].at.frame,
-                    f == 0 ? Pose<double>::Identity() : declared.points[f - 1].at.frame,
-                    variance.segment<3>(first).cwiseSqrt(), variance.segment<3>(first + 3).cwiseSqrt()};
-    for (Eigen::Index axis = 0; axis < 3; ++axis)
-      if (frames.col(first + 3 + axis).isZero(0)) one.turn(axis) = 0;
-    all.push_back(std::move(one));
+  const ArmBench& bench = experiment.arm_bench;
+  using Of = SolvedFrame::Of;
+  std::vector<SolvedFrame> all{{Of::tracker, "tracker", tracker, Pose<double>::Identity(), {}, {}}};
+  for (std::size_t p = 0; p < bench.points.size(); ++p)
+    all.push_back(
+        {Of::point, bench.points[p].name, bench.points[p].at.frame, declared.points[p].at.frame, {}, {}});
+  for (std::size_t s = 0; s < bench.sensors.size(); ++s)
+    all.push_back({Of::sensor, bench.sensors[s].name, bench.sensors[s].at, declared.sensors[s].at, {}, {}});
+  const auto deviation = [&](Eigen::Index column) {
+    return frames.col(column).isZero(0) ? 0 : std::sqrt(variance(column));
+  };
+  for (std::size_t f = 0; f < all.size(); ++f)
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      all[f].shift(axis) = deviation(static_cast<Eigen::Index>(6 * f) + axis);
+      all[f].turn(axis) = deviation(static_cast<Eigen::Index>(6 * f) + 3 + axis);
+    }
+  for (std::size_t s = 0; s < bench.sensors.size(); ++s) {
+    if (bench.sensors[s].knows_focal_length) continue;
+    SolvedFrame& one = all[1 + bench.points.size() + s];
+    one.focal_length = bench.sensors[s].focal_length;
+    one.focal_length_sd = one.focal_length * deviation(static_cast<Eigen::Index>(6 * all.size() + s));
   }
   return all;
 }

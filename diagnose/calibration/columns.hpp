@@ -34,7 +34,8 @@ struct EffectColumns {
 /// them shows.
 EffectColumns effect_columns(const Study& study);
 
-/// Moves the frames by coefficients of the frame columns. \returns the tracker's motion
+/// Moves the frames, and what is unknown of sensors, by coefficients of the frame columns. \returns the
+/// tracker's motion
 Pose<double> move_frames(Experiment& experiment, const VectorXd& coefficients);
 
 /// The frames as they are, with their standard deviations beside the effects of a fit.

@@ -87,7 +87,7 @@ GroupedFit GroupedRegression::iterated(GroupedFit fit, int iterations) const {
     for (std::size_t g = 0; g < fit.groups.size(); ++g) {
       const double determined = std::max(1e-6, fit.determined[g]);
       prior += square[g] / (fit.size[g] * fit.size[g]);
-      fit.size[g] = std::max(smallest, std::sqrt(square[g] / determined));
+      fit.size[g] = std::clamp(std::sqrt(square[g] / determined), smallest, largest);
       all_determined += determined;
     }
     variance = std::max(1e-300, (left - variance * prior) / std::max(1.0, count_ - all_determined));

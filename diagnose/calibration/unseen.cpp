@@ -1,5 +1,6 @@
 #include "diagnose/calibration/unseen.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "diagnose/inference/least_squares.hpp"
@@ -16,14 +17,26 @@ std::size_t fold_of(const Measurements& measurements, std::size_t value) {
   return (runs >= folds ? place.run : place.reading) % folds;
 }
 
-/// Sums of squares by sensor.
-struct Sums {
-  double places = 0, place_count = 0, turns = 0, turn_count = 0;
+/// Number of components that are read together; zero for what shows no pose.
+double components(Channel::Name name) {
+  if (name == Channel::Name::place || name == Channel::Name::turn) return 3;
+  const auto kind = std::ranges::find(arm_sensor_kinds(), name, &ArmSensorKind::reads);
+  return kind == arm_sensor_kinds().end() ? 0 : static_cast<double>(kind->numbers);
+}
 
+/// Sums of squares by kind of channel.
+struct Sums {
+  std::array<double, channel_names> squares{}, count{};
+
+  void add(Channel::Name name, double square) {
+    squares.at(static_cast<std::size_t>(name)) += square, count.at(static_cast<std::size_t>(name)) += 1;
+  }
   [[nodiscard]] LeftOfPoses rms() const {
-    constexpr double axes = 3;  // of a distance
-    return {place_count > 0 ? std::sqrt(axes * places / place_count) : 0,
-            turn_count > 0 ? std::sqrt(axes * turns / turn_count) : 0};
+    LeftOfPoses all{};
+    for (const ChannelKind& kind : channel_kinds)
+      if (const auto k = static_cast<std::size_t>(kind.name); count.at(k) > 0)
+        all.at(k) = std::sqrt(components(kind.name) * squares.at(k) / count.at(k));
+    return all;
   }
 };
 
@@ -45,11 +58,9 @@ LeftOfPoses tested(const UnseenTest& test, Coefficients coefficients) {
     if (test.frames.cols() > 0) left -= test.frames(held, Eigen::all) * placed;
     for (std::size_t h = 0; h < held.size(); ++h) {
       const double square = std::pow(left(static_cast<Eigen::Index>(h)) * measurements.sigma()(held[h]), 2);
-      for (const Block& block : measurements.blocks()) {
-        if (held[h] < block.first || held[h] >= block.first + block.count) continue;
-        if (block.channel.name == Channel::Name::place) sums.places += square, sums.place_count += 1;
-        if (block.channel.name == Channel::Name::turn) sums.turns += square, sums.turn_count += 1;
-      }
+      for (const Block& block : measurements.blocks())
+        if (held[h] >= block.first && held[h] < block.first + block.count)
+          sums.add(block.channel.name, square);
     }
   }
   return sums.rms();

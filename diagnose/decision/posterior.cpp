@@ -4,8 +4,8 @@
 #include <cmath>
 #include <plumbline/base/parallel.hpp>
 
+#include "diagnose/inference/fitted_volume.hpp"
 #include "diagnose/inference/prior.hpp"
-#include "diagnose/inference/seen_effects.hpp"
 #include "diagnose/inference/size_prior.hpp"
 #include "diagnose/outside/outside_cause.hpp"
 #include "diagnose/priors.hpp"

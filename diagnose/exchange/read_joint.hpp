@@ -41,10 +41,13 @@ struct ReadJoint {
 /// Adds what weighs to what a joint moves.
 void add_mass(ReadJoint& joint, double mass, const Eigen::Vector3d& middle);
 
-/// A body whose moments of inertia no body can have. Statics does not use them.
+/// A body with moments of inertia, which statics does not use.
 struct ReadInertia {
-  std::string body, words;
+  std::string body;
   std::string carrier;  ///< name of the joint that it moves with
+  double mass;
+  Eigen::Vector3d middle;  ///< centre of mass
+  Eigen::Matrix3d tensor;  ///< about it, kg m^2; zero where the file does not say
 };
 
 /// A point that a model names.
@@ -77,7 +80,7 @@ struct ReadModel {
   std::vector<ReadPoint> ends;    ///< what may be the end point of a chain in the plane
   std::vector<ReadFrame> frames;  ///< all, a body before what it carries
   std::vector<ReadLoop> loops;
-  std::vector<ReadInertia> inertias;  ///< those that are none
+  std::vector<ReadInertia> inertias;  ///< of the bodies that weigh
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();
   /// Where the model stands: everything in it is said in a frame that has this pose in the world.
   Eigen::Isometry3d placed = Eigen::Isometry3d::Identity();

@@ -85,17 +85,21 @@ class MjcfReader {
                                 scene_.bodies[site.body].name, site.at});
   }
 
-  /// What <inertial> says of the moments of a body.
-  void check_inertia(std::size_t body) {
-    const xml_node own = scene_.bodies[body].element.child("inertial");
+  /// What <inertial> says of the moments of a body; a body that its geoms weigh is a point.
+  void add_inertia(std::size_t body) {
+    const MjcfBody& one = scene_.bodies[body];
+    result_.inertias.push_back(
+        {one.name, joint_name(scene_.last_joint(body)), one.mass, one.middle, Eigen::Matrix3d::Zero()});
+    const xml_node own = one.element.child("inertial");
+    if (!own) return;
     const MjcfDefaults& defaults = scene_.defaults;
     const std::vector<double> d = defaults.numbers(own, "diaginertia", 3, 3, {0, 0, 0}),
                               full = defaults.numbers(own, "fullinertia", 6, 6, {});
     Eigen::Matrix3d tensor = Eigen::Vector3d(d[0], d[1], d[2]).asDiagonal();
     if (!full.empty())
       tensor << full[0], full[3], full[4], full[3], full[1], full[5], full[4], full[5], full[2];
-    if (const std::string words = impossible_inertia(tensor); !words.empty())
-      result_.inertias.push_back({scene_.bodies[body].name, words, joint_name(scene_.last_joint(body))});
+    const Eigen::Matrix3d turn = (one.at * scene_.pose(own)).linear();
+    result_.inertias.back().tensor = turn * tensor * turn.transpose();
   }
 
   /// What equality constraints couple: joints that follow others, and bodies that are tied.
@@ -158,7 +162,7 @@ class MjcfReader {
   void add_mass(std::size_t body) {
     const MjcfBody& own = scene_.bodies[body];
     if (own.joints.empty() && result_.rows.added.contains(own.name)) return;
-    if (own.element.child("inertial")) check_inertia(body);
+    add_inertia(body);
     const std::size_t carrier = scene_.last_joint(body);
     if (carrier < scene_.joints.size()) exchange::add_mass(result_.joints[carrier], own.mass, own.middle);
   }

@@ -114,10 +114,10 @@ class SdfReader {
     }
     const double mass = number(inertial, "mass", 1, own);
     require_mass(mass, place(own));
-    if (const std::string words = impossible_inertia(tensor_of(inertial.child("inertia"), own));
-        !words.empty())
-      result_.inertias.push_back({files::shown(name), words, carrier});
-    const Vector3d middle = tree_.pose(name) * place_in(inertial, own);
+    const Eigen::Isometry3d at = tree_.pose(name) * written_pose(inertial, place(own));
+    const Vector3d middle = at.translation();
+    const Eigen::Matrix3d turn = at.linear(), tensor = tensor_of(inertial.child("inertia"), own);
+    result_.inertias.push_back({files::shown(name), carrier, mass, middle, turn * tensor * turn.transpose()});
     for (ReadJoint& joint : result_.joints)
       if (joint.name == carrier) add_mass(joint, mass, middle);
   }
@@ -131,13 +131,6 @@ class SdfReader {
     tensor << said("ixx", 1), said("ixy", 0), said("ixz", 0), 0, said("iyy", 1), said("iyz", 0), 0, 0,
         said("izz", 1);
     return tensor.selfadjointView<Eigen::Upper>();
-  }
-
-  [[nodiscard]] Vector3d place_in(xml_node inertial, const Part& own) const {
-    const std::string text = inertial.child("pose").text().get();
-    if (text.empty()) return Vector3d::Zero();
-    const std::vector<double> pose = numbers_in(text, place(own) + ": pose", 6, 7);
-    return {pose[0], pose[1], pose[2]};
   }
 
   void add_frame(const std::string& name) {

@@ -13,6 +13,10 @@
 
 namespace plumbline::exchange {
 
+/// The pose as it is written, in whatever frame.
+/// \throws Error at the place
+Eigen::Isometry3d written_pose(pugi::xml_node element, const std::string& place);
+
 /// The links, joints and frames of the one model in an SDF. A part of a model within the model is named as
 /// SDF does: "arm::elbow".
 class SdfTree {

@@ -193,10 +193,10 @@ class UrdfReader {
     const std::string place = place_of(tree_.file(), link);
     const double mass = number_in(inertial.child("mass").attribute("value").value(), place + ": mass");
     require_mass(mass, place);
-    if (const std::string words = impossible_inertia(tensor_of(inertial.child("inertia"), place));
-        !words.empty())
-      result_.inertias.push_back({files::shown(name), words, carrier});
-    const Vector3d middle = at * origin_of(inertial, place).translation();
+    const Isometry3d own = at * origin_of(inertial, place);
+    const Vector3d middle = own.translation();
+    const Eigen::Matrix3d turn = own.linear(), tensor = tensor_of(inertial.child("inertia"), place);
+    result_.inertias.push_back({files::shown(name), carrier, mass, middle, turn * tensor * turn.transpose()});
     for (ReadJoint& joint : result_.joints)
       if (joint.name == carrier) add_mass(joint, mass, middle);
   }

@@ -17,7 +17,8 @@ bool is_on(xml_node element, const char* child) {
   return text == "true" || text == "1";
 }
 
-/// The pose as it is written, in whatever frame.
+}  // namespace
+
 Isometry3d written_pose(xml_node element, const std::string& place) {
   Isometry3d at = Isometry3d::Identity();
   const xml_node pose = element.child("pose");
@@ -39,8 +40,6 @@ Isometry3d written_pose(xml_node element, const std::string& place) {
   at.rotate(diagnose::from_roll_pitch_yaw(unit * Vector3d(p[3], p[4], p[5])));
   return at;
 }
-
-}  // namespace
 
 SdfTree::SdfTree(const std::filesystem::path& file) : source(file), file_(file.string()) {
   const xml_node root = source.document.document_element();

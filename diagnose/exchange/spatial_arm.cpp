@@ -8,6 +8,8 @@
 #include <numbers>
 #include <plumbline/base/error.hpp>
 
+#include "diagnose/exchange/physical_body.hpp"
+
 namespace plumbline::exchange {
 namespace {
 
@@ -40,6 +42,7 @@ class ArmBuilder {
     for (std::size_t i = 0; i < path_.joints().size(); ++i) add_link(i, before);
     arm.tip = before.inverse() * path_.tip().at;
     weigh();
+    add_inertias();
     add_notes();
     require_physical(arm);
     result_.joints = path_.joints();
@@ -126,6 +129,28 @@ class ArmBuilder {
     }
   }
 
+  [[nodiscard]] std::size_t arm_size() const { return path_.joints().size(); }
+
+  /// From 0; beyond the arm where it is not on a link of it.
+  [[nodiscard]] std::size_t link_of(const ReadInertia& one) const {
+    const std::size_t link = path_.link_of(one.carrier);
+    return link == 0 || link == ArmPath::elsewhere ? arm_size() : link - 1;
+  }
+
+  /// Every body's moments about the origin of its link.
+  void add_inertias() {
+    result_.inertia.assign(arm_size(), Eigen::Matrix3d::Zero());
+    for (const ReadInertia& one : model_.inertias) {
+      const std::size_t link = link_of(one);
+      if (link == arm_size()) continue;
+      const Isometry3d into = place_of(joint(link)).inverse();
+      const Vector3d at = into * one.middle;
+      result_.inertia[link] +=
+          into.linear() * one.tensor * into.linear().transpose() +
+          one.mass * (at.squaredNorm() * Eigen::Matrix3d::Identity() - at * at.transpose());
+    }
+  }
+
   void note(const std::string& words, const std::vector<std::string>& names) {
     if (!names.empty()) result_.notes.push_back(fmt::format("{}: {}", words, fmt::join(names, ", ")));
   }
@@ -149,9 +174,10 @@ class ArmBuilder {
       result_.notes.push_back(fmt::format(
           "all limits are within {:.3g} degrees: are they radians, read as degrees?", widest / degree));
     for (const ReadInertia& one : model_.inertias)
-      if (const std::size_t link = path_.link_of(one.carrier); link > 0 && link != ArmPath::elsewhere)
+      if (const std::string words = impossible_inertia(one.tensor);
+          !words.empty() && link_of(one) < arm_size())
         result_.notes.push_back(
-            fmt::format("inertia of {}: {}, as no body has (statics does not use it)", one.body, one.words));
+            fmt::format("inertia of {}: {}, as no body has (statics does not use it)", one.body, words));
     result_.notes.insert(result_.notes.end(), model_.notes.begin(), model_.notes.end());
     note("left out", out);
   }

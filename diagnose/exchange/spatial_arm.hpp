@@ -13,6 +13,7 @@ namespace plumbline::exchange {
 
 struct SpatialArm {
   diagnose::NominalArm nominal;
+  std::vector<Eigen::Matrix3d> inertia;          ///< by link, about the origin of its frame, kg m^2
   std::vector<std::string> notes;                ///< what was assumed, what was left out
   std::vector<double> friction;                  ///< by joint: torque or force at which it slips
   std::vector<diagnose::NominalEffect> effects;  ///< friction, as the catalogue has it

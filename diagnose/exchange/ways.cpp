@@ -103,6 +103,7 @@ const std::map<std::string_view, Way>& everywhere() {
                                                    {"link_mass", masses},
                                                    {"link_centre", no_centre},
                                                    {"joint_scale", no_servo},
+                                                   {"gear_coupling", no_servo},
                                                    {"gravity_compensation", no_servo},
                                                    {"encoder_ripple", no_servo},
                                                    {"command_delay", no_servo},

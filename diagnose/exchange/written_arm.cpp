@@ -64,6 +64,12 @@ void place_as_in_file(const SerialArm<double>& file, const SerialArm<double>& no
   if (arm.gravity == nominal.gravity) arm.gravity = file.gravity;
 }
 
+/// The masses of a file that has none, in place of those that the bench assumed.
+void leave_weights_out(const SerialArm<double>& file, SerialArm<double>& arm) {
+  for (std::size_t i = 0; i < arm.size(); ++i)
+    arm.links[i].mass = file.links[i].mass, arm.links[i].centre = file.links[i].centre;
+}
+
 /// The arm of a calibrated bench where its tracker sees it.
 void place_as_seen(const diagnose::ArmBench& bench, SerialArm<double>& arm) {
   if (!bench.calibration) return;
@@ -129,7 +135,9 @@ Written written_arm(const Model& model, Format format) {
                 model.source.empty() ? std::string("a file .toml")
                                      : "a file " + model.source.extension().string() + ", or .toml");
   const ArmEnds ends{nominal.base, nominal.tip};
-  place_as_in_file(read_arm(model.source, ends).nominal.arm, experiment.arm->arm, nominal.arm);
+  const SerialArm<double> file = read_arm(model.source, ends).nominal.arm;
+  place_as_in_file(file, experiment.arm->arm, nominal.arm);
+  if (experiment.arm_bench.assumed_density > 0) leave_weights_out(file, nominal.arm);
   CorrectedArm corrected{model.title, model.source, ends, nominal.arm};
   corrected.friction = rig.friction;
   corrected.others = others;

@@ -46,6 +46,13 @@ double quiet_neighbours(const Measurements& measurements, const Block& block, co
   return steps.empty() ? 1 : 0.5 * median_deviation(std::move(steps)) / std::numbers::sqrt2;
 }
 
+/// Whether some readings follow each other in time.
+bool is_timed(const Measurements& measurements, const Block& block) {
+  const auto first = measurements.places().begin() + block.first;
+  return std::any_of(first, first + block.count,
+                     [&](const ReadingPlace& place) { return measurements.has_clock(place.run); });
+}
+
 }  // namespace
 
 BlockLikelihood::BlockLikelihood(const Measurements& measurements, const Block& block,
@@ -58,8 +65,11 @@ BlockLikelihood::BlockLikelihood(const Measurements& measurements, const Block& 
   const bool flexible = priors.amplitude.size() > 1;
   const DiscrepancyBasis basis = flexible ? discrepancy_basis(states, measurements, block, priors.length)
                                           : DiscrepancyBasis{MatrixXd(block.count, 0), {MatrixXd(0, 0)}};
-  for (std::size_t k = 0; k < priors.correlation.size(); ++k) {
+  // Without a clock noise is the same by whatever correlation.
+  const bool timed = is_timed(measurements, block);
+  for (std::size_t k = 0; k < (timed ? priors.correlation.size() : 1); ++k) {
     noise_.push_back(whitening(measurements, block, shape, k));
+    if (!timed) noise_.back().log_prior = 0;
     Factors factors = factors_of(whiten(noise_.back(), kept(basis.phi)));
     noise_.back().span = std::move(factors.orthonormal);
     rotation_.emplace_back();

@@ -23,21 +23,24 @@ struct LearnedSize {
 
 /// A frame that was solved for, beside that of the experiment.
 struct SolvedFrame {
-  std::string name;       ///< "tracker", or a point's
-  Pose<double> at;        ///< of the arm's world in the tracker's frame; of the point on its link
+  enum class Of { tracker, point, sensor } of;
+  std::string name;       ///< "tracker", or that of a point or a sensor
+  Pose<double> at;        ///< of the arm's world in the tracker's frame; of the point on its link; of the
+                          ///< sensor in the arm's world
   Pose<double> declared;  ///< where the experiment had it
-  Vector3<double> shift;  ///< standard deviations of its place, m
+  Vector3<double> shift;  ///< standard deviations of its place, m, a sensor's in its own axes
   Vector3<double> turn;   ///< and of its orientation, rad; zero where nothing shows it
+  double focal_length = 0, focal_length_sd = 0;  ///< of a camera whose is not known, px
 };
 
-/// Root mean squares of what is left of readings that a fit has not seen.
-struct LeftOfPoses {
-  double place = 0;  ///< distance, m; zero where no places are read
-  double turn = 0;   ///< rad; zero where no orientations are read
+/// Root mean squares of what is left of readings that a fit has not seen, by kind of channel, in its unit: of
+/// all components of a place, an orientation or a picture together. Zero for what is not read.
+struct LeftOfPoses : std::array<double, channel_names> {
+  [[nodiscard]] double of(Channel::Name name) const { return (*this)[static_cast<std::size_t>(name)]; }
 };
 
 struct Calibration {
-  std::vector<SolvedFrame> frames;
+  std::vector<SolvedFrame> frames;  ///< the tracker's, those of points, those of sensors
   std::vector<Tolerance> tolerances;
   std::vector<LearnedSize> sizes;  ///< of those that the readings tell
   /// What sticks out of the tolerances, by a linear fit: posterior means, the first sticks out farthest.

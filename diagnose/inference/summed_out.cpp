@@ -36,21 +36,37 @@ struct ToleranceColumns {
   }
 };
 
-/// A rig whose tracker and points are moved.
+/// A rig whose tracker, points and sensors are moved, or whose focal lengths are longer.
 Rig with_frame_moved(Rig rig, std::size_t unknown, double step) {
   const Vector3<double> along = step * Vector3<double>::Unit(static_cast<Eigen::Index>(unknown % 3));
-  const std::size_t frame = unknown / 6;
+  const std::size_t frame = unknown / 6, points = rig.arm->points.size(), sensors = rig.arm->sensors.size();
   const bool turns = unknown % 6 >= 3;
   if (frame == 0) {
     (turns ? rig.place_turn : rig.position_offset) += turns ? Vector3<double>(-along) : along;
-    return rig;
+  } else if (frame <= points + sensors) {
+    Pose<double>& at =
+        frame <= points ? rig.arm->points[frame - 1].frame : rig.arm->sensors[frame - points - 1].at;
+    if (turns)
+      at.linear() *= rotation_by<double>(along);
+    else
+      at.translation() += frame <= points ? along : Vector3<double>(at.linear() * along);
+  } else {
+    rig.arm->sensors[unknown - 6 * (1 + points + sensors)].focal_length *= 1 + step;
   }
-  Pose<double>& point = rig.arm->points[frame - 1].frame;
-  if (turns)
-    point.linear() *= rotation_by<double>(along);
-  else
-    point.translation() += along;
   return rig;
+}
+
+/// Whether a motion of a frame, or a focal length, is unknown and changes some reading. That of the tracker
+/// is told by its own readings alone: sensors stand where they stand without one.
+bool is_sought(const Study& study, std::size_t unknown) {
+  using Name = Channel::Name;
+  const ArmBench& bench = study.experiment().arm_bench;
+  const std::size_t frame = unknown / 6, points = bench.points.size(), sensors = bench.sensors.size();
+  if (frame == 0) return study.scales().measures(Name::place) || study.scales().measures(Name::turn);
+  if (frame <= points) return true;
+  if (frame > points + sensors)
+    return !bench.sensors[unknown - 6 * (1 + points + sensors)].knows_focal_length;
+  return bench.sensors[frame - points - 1].kind->sees_own.at(unknown % 6);
 }
 
 }  // namespace
@@ -96,14 +112,19 @@ MatrixXd frame_columns(const Study& study) {
   const ArmBench& bench = study.experiment().arm_bench;
   const auto values = static_cast<Eigen::Index>(study.measurements().size());
   if (bench.frames == ArmBench::Frames::known) return {values, 0};
-  constexpr double step = 1e-6;  // m and rad
+  constexpr double step = 1e-6;  // m, rad, and of a focal length its share
+  const std::size_t unknowns = 6 * (1 + bench.points.size() + bench.sensors.size()) + bench.sensors.size();
+  std::vector<Eigen::Index> sought;
   std::vector<RigVariation> variations;
-  for (std::size_t i = 0; i < 6 + 6 * bench.points.size(); ++i)
-    variations.push_back({with_frame_moved(study.nominal_rig(), i, step), step});
+  for (std::size_t i = 0; i < unknowns; ++i)
+    if (is_sought(study, i)) {
+      sought.push_back(static_cast<Eigen::Index>(i));
+      variations.push_back({with_frame_moved(study.nominal_rig(), i, step), step});
+    }
   const Prediction here = simulate(study.experiment(), study.nominal_rig(), variations);
-  MatrixXd all(values, static_cast<Eigen::Index>(variations.size()));
-  for (std::size_t i = 0; i < variations.size(); ++i)
-    all.col(static_cast<Eigen::Index>(i)) = study.measurements().in_sigmas(here.sensitivity[i]);
+  MatrixXd all = MatrixXd::Zero(values, static_cast<Eigen::Index>(unknowns));
+  for (std::size_t i = 0; i < sought.size(); ++i)
+    all.col(sought[i]) = study.measurements().in_sigmas(here.sensitivity[i]);
   return all;
 }
 

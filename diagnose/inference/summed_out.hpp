@@ -44,8 +44,9 @@ class SummedOut {
   Eigen::VectorXd without_;  ///< what the tolerances' mean adds to the readings; empty: nothing
 };
 
-/// Derivatives of all readings by the shift and the turn of the tracker, then of each point on its link,
-/// declared sigmas; no columns where frames are known.
+/// Derivatives of all readings, in declared sigmas, by the shift and the turn of the tracker, of each point
+/// on its link, of each sensor in its own axes, then by the logarithm of each focal length; zero for what no
+/// reading shows, and no columns where frames are known.
 Eigen::MatrixXd frame_columns(const Study& study);
 
 }  // namespace plumbline::diagnose

@@ -40,7 +40,7 @@ Study::Study(Bench bench, double duration)
     : bench_(std::move(bench)),
       sizes_(bench_.logs, bench_.nominal),
       unknown_(unknown_parameters(sizes_, bench_.unknown)),
-      rows_(catalogue(sizes_, bench_.nominal, bench_.unknown)),
+      rows_(catalogue(sizes_, bench_.nominal, bench_.unknown, bench_.periods)),
       segments_(segments_of(bench_.logs, duration)) {
   for (const Segment& one : segments_) begins_.push_back(initial_state(bench_.logs[one.log], one.first));
   resolve_motions();
@@ -61,8 +61,10 @@ std::vector<Parameter> Study::parameters(const Candidate& candidate) const {
 Drive<double> Study::drive(const std::vector<Parameter>& parameters,
                            const std::vector<double>& values) const {
   Drive<double> drive = bench_.nominal;
-  for (std::size_t p = 0; p < parameters.size(); ++p)
+  for (std::size_t p = 0; p < parameters.size(); ++p) {
     for (const Term term : parameters[p].terms) drive[term] += values[p];
+    if (parameters[p].periods) drive[Term::periods] = *parameters[p].periods;
+  }
   return drive;
 }
 
@@ -185,12 +187,20 @@ void Study::resolve_motions() {
   std::vector<double> typical;
   for (const Parameter& one : unknown_) typical.push_back(one.guess);
   const Drive<double> stated = drive(unknown_, typical);
-  for (std::size_t s = 0; s < segments_.size(); ++s)
-    for (int halving = 0; halving < most_halvings; ++halving) {
-      if (step_error(stated, bench_.logs[segments_[s].log], segments_[s], begins_[s])[0] <
-          resolved * bench_.sigma)
-        break;
-      segments_[s].step /= 2;
+  const auto resolve = [&](const std::vector<MotionLog>& logs, Segment& part) {
+    const InitialState begin = initial_state(logs[part.log], part.first);
+    for (int halving = 0; halving < most_halvings; ++halving, part.step /= 2)
+      if (step_error(stated, logs[part.log], part, begin)[0] < resolved * bench_.sigma) return;
+  };
+  for (Segment& one : segments_) {
+    resolve(bench_.logs, one);
+    double& whole = bench_.logs[one.log].step;
+    whole = std::min(whole, one.step);
+  }
+  for (std::size_t i = 0; i < bench_.held_out.size(); ++i)
+    for (Segment one : segments_of({bench_.held_out[i]}, segment_duration)) {
+      resolve({bench_.held_out[i]}, one);
+      bench_.held_out[i].step = std::min(bench_.held_out[i].step, one.step);
     }
 }
 
@@ -234,7 +244,7 @@ InitialState settled_state(const Drive<double>& drive, const MotionLog& log) {
   constexpr int most_steps = 5;
   using Number = Dual<2>;
   const auto carried = carried_by<Number>(drive);
-  Segment part{0, 0, 0};
+  Segment part{0, 0, 0, log.step};
   while (part.end < log.time.size() && log.time[part.end] <= log.time.front() + duration) ++part.end;
   InitialState state = initial_state(log, 0), best = state;
   double least = std::numeric_limits<double>::infinity();
@@ -264,7 +274,7 @@ InitialState settled_state(const Drive<double>& drive, const MotionLog& log) {
 
 std::vector<double> predicted(const Drive<double>& drive, const MotionLog& log) {
   const InitialState begin = settled_state(drive, log);
-  return angles_of(drive, log, {0, 0, log.time.size()}, begin.q, begin.v);
+  return angles_of(drive, log, {0, 0, log.time.size(), log.step}, begin.q, begin.v);
 }
 
 double error_of(const Drive<double>& drive, const MotionLog& log) {

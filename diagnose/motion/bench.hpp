@@ -25,6 +25,7 @@ struct Bench {
   std::vector<MotionLog> held_out;  ///< that they are judged by
   Drive<double> nominal;            ///< the numbers that the model states; the others are zero
   std::vector<Term> unknown;        ///< stated as unknown: fitted beside every cause
+  std::vector<double> periods;      ///< in a turn of the joint, that its torque may have
   double sigma = 0;                 ///< standard deviation of a reading of position, rad
   std::array<double, channel_count> sigma_beside{};  ///< the same of the channels, in their units
   std::vector<ChannelLook> channels = {};            ///< those that are read beside position
@@ -98,7 +99,7 @@ class Study {
                                                const std::vector<Begin>& begins, std::size_t every = 1) const;
 
  private:
-  /// Steps by which the stated model computes the motions well within the noise.
+  /// Steps by which the stated model computes the motions well within the noise, of segments and of logs.
   void resolve_motions();
   template <int size>
   [[nodiscard]] SegmentMeans left_of(std::size_t segment, const std::vector<Parameter>& parameters,

@@ -1,5 +1,7 @@
 #include "diagnose/motion/catalogue.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -27,7 +29,7 @@ double deviation(const std::vector<double>& values) {
 
 Row row(std::string_view id, std::string_view words, std::vector<Parameter> parameters,
         bool refines = false) {
-  return {id, words, std::move(parameters), refines};
+  return {std::string(id), std::string(words), std::move(parameters), refines};
 }
 
 /// A number that the model states, and that is another.
@@ -67,7 +69,7 @@ std::vector<Row> rows_of_command(const Sizes& sizes) {
 
 std::vector<Row> rows_of_friction(const Sizes& sizes) {
   const double torque = 0.1 * sizes.torque;
-  return {
+  std::vector<Row> rows{
       row("stribeck_friction", "dry friction that falls with speed",
           {{one_way("tau_s", "N m", torque, 10 * sizes.torque), {Term::dry_rising}, torque},
            {{"v_s", "rad/s", Coordinate::plain, 0.3 * sizes.speed, 0.01 * sizes.speed, 10 * sizes.speed},
@@ -81,11 +83,34 @@ std::vector<Row> rows_of_friction(const Sizes& sizes) {
           {{one_way("c", "ratio", 0.2, 0.99), {Term::loss_driving, Term::loss_driven}, 0.1}}),
       row("directional_loss", "a loss of the gear that grows with its load, another one driving and driven",
           {{one_way("c_driving", "ratio", 0.2, 0.99), {Term::loss_driving}, 0.1},
-           {one_way("c_driven", "ratio", 0.2, 0.99), {Term::loss_driven}, 0.1}},
+           {one_way("c_driven", "ratio", 0.2, 0.99), {Term::loss_driven}, 0.2}},
           true),
       row("one_way_friction", "dry friction that differs by direction",
           {{both_ways("delta", "N m", torque, -sizes.torque, sizes.torque), {Term::direction}, 0}}),
   };
+  if (sizes.warmer > 0)
+    rows.push_back(row("friction_warming", "friction that changes with temperature",
+                       {{both_ways("c", "1/K", 0.01, -1, 1), {Term::friction_warming}, 0}}));
+  return rows;
+}
+
+/// Torques that depend on the angle of the motor, with so many periods to a turn of the joint.
+std::vector<Row> rows_of_angle(const Sizes& sizes, const std::vector<double>& periods) {
+  const auto waves = [](std::string_view unit, double scale, double high, Term sine, Term cosine, double n) {
+    return std::vector<Parameter>{{both_ways("sine", unit, scale, -high, high), {sine}, scale / 2, n},
+                                  {both_ways("cosine", unit, scale, -high, high), {cosine}, scale / 2, n}};
+  };
+  std::vector<Row> rows;
+  for (const double n : periods) {
+    const double torque = 0.1 * sizes.torque;
+    rows.push_back(row(fmt::format("cogging({:g})", n),
+                       fmt::format("a torque with {:g} periods to a turn (cogging)", n),
+                       waves("N m", torque, 100 * torque, Term::cogging_sine, Term::cogging_cosine, n)));
+    rows.push_back(row(fmt::format("torque_ripple({:g})", n),
+                       fmt::format("a motor whose torque ripples, {:g} periods to a turn", n),
+                       waves("ratio", 0.1, 1, Term::ripple_sine, Term::ripple_cosine, n)));
+  }
+  return rows;
 }
 
 /// They move apart where the rotor has an inertia alone.
@@ -104,6 +129,17 @@ std::vector<Row> rows_of_gear(const Sizes& sizes) {
   };
 }
 
+/// \param end  of the angles that are read, on the side of the contact
+Row contact(std::string_view id, std::string_view words, Term stiffness, Term from, const Sizes& sizes,
+            double end) {
+  const double middle = (sizes.highest + sizes.lowest) / 2, scale = sizes.torque / sizes.angle;
+  return row(id, words,
+             {{one_way("k", "N m/rad", scale, 1e3 * scale), {stiffness}, scale},
+              {both_ways("from", "rad", sizes.angle, std::min(middle, end), std::max(middle, end)),
+               {from},
+               (middle + end) / 2}});
+}
+
 std::vector<Row> rows_of_load(const Sizes& sizes) {
   std::vector<Row> rows{
       row("load_mass", "another mass of the load",
@@ -117,6 +153,13 @@ std::vector<Row> rows_of_load(const Sizes& sizes) {
             {Term::spring},
             0}}),
   };
+  rows.push_back(contact("contact_above", "a spring, cable or stop that acts from an angle on, upward",
+                         Term::contact_above, Term::above_from, sizes, sizes.highest));
+  rows.push_back(contact("contact_below", "a spring, cable or stop that acts from an angle on, downward",
+                         Term::contact_below, Term::below_from, sizes, sizes.lowest));
+  if (sizes.base_acceleration > 0)
+    rows.push_back(row("base_motion", "a base that moves",
+                       {{both_ways("share", "ratio", 1, -10, 10), {Term::base_motion}, 0}}));
   if (sizes.unpowered)
     rows.push_back(row("brake", "a brake while the drive is off",
                        {{one_way("d", "N m s/rad", 0.1 * sizes.torque / sizes.speed, 1e3 * sizes.torque),
@@ -156,6 +199,12 @@ Sizes::Sizes(const std::vector<MotionLog>& logs, const Drive<double>& nominal) {
   for (const MotionLog& log : logs) {
     const std::size_t last = log.time.size() - 1;
     angle = std::max(angle, deviation(log.position));
+    const auto [low, high] = std::minmax_element(log.position.begin(), log.position.end());
+    const bool first = &log == &logs.front();
+    highest = first ? *high : std::max(highest, *high), lowest = first ? *low : std::min(lowest, *low);
+    gain += log.gain / static_cast<double>(logs.size());
+    for (const double x : log.warmer) warmer = std::max(warmer, std::abs(x));
+    for (const double x : log.base_acceleration) base_acceleration = std::max(base_acceleration, std::abs(x));
     inertia = std::max(inertia, log.inertia);
     torque = std::max(torque, log.gravity);
     for (const ChannelReadings& one : log.beside)
@@ -184,6 +233,12 @@ Sizes::Sizes(const std::vector<MotionLog>& logs, const Drive<double>& nominal) {
                       nominal[Term::stall_torque] * supply * std::sqrt(asked / stamps));
 }
 
+std::set<Term> terms_of(const Row& row) {
+  std::set<Term> terms;
+  for (const Parameter& one : row.parameters) terms.insert(one.terms.begin(), one.terms.end());
+  return terms;
+}
+
 std::vector<Stated> stated_numbers(const Sizes& sizes) {
   const double damping = 0.1 * sizes.torque / std::max(sizes.speed, 1e-6);
   return {
@@ -195,17 +250,23 @@ std::vector<Stated> stated_numbers(const Sizes& sizes) {
       {Term::zero, "encoder_zero", "another zero of the encoder", "rad", 0.02, true},
       {Term::dry, "joint_friction", "dry friction in the joint", "N m", 0.05 * sizes.torque, false},
       {Term::viscous, "viscous_friction", "viscous friction in the joint", "N m s/rad", damping, false},
+      {Term::derivative_gain, "derivative_gain", "another derivative part of the servo", "s/rad",
+       0.1 * std::min(1.0, sizes.duty) / std::max(sizes.speed, 1e-6), false},
+      {Term::integral_gain, "integral_gain", "another integral part of the servo", "1/(rad s)",
+       0.5 * sizes.gain, false},
+      {Term::gravity_forward, "gravity_forward", "another feed-forward of gravity", "ratio", 0.3, true},
   };
 }
 
-std::vector<Row> catalogue(const Sizes& sizes, const Drive<double>& nominal,
-                           const std::vector<Term>& unknown) {
+std::vector<Row> catalogue(const Sizes& sizes, const Drive<double>& nominal, const std::vector<Term>& unknown,
+                           const std::vector<double>& periods) {
   std::vector<Row> rows;
   for (const Stated& number : stated_numbers(sizes))
     if (std::find(unknown.begin(), unknown.end(), number.term) == unknown.end())
       rows.push_back(wrong(number, nominal[number.term]));
   for (const std::vector<Row>& some :
-       {rows_of_command(sizes), rows_of_friction(sizes), rows_of_load(sizes), rows_of_readings(sizes)})
+       {rows_of_command(sizes), rows_of_friction(sizes), rows_of_angle(sizes, periods), rows_of_load(sizes),
+        rows_of_readings(sizes)})
     rows.insert(rows.end(), some.begin(), some.end());
   const bool has_rotor = nominal.has(Term::armature) ||
                          std::find(unknown.begin(), unknown.end(), Term::armature) != unknown.end();

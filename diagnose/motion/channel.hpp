@@ -59,12 +59,12 @@ inline const ChannelKind& kind_of(Channel channel) {
 template <class Real>
 Real quantity_of(Channel channel, const Drive<Real>& drive, const Motion<Real>& state,
                  const Imposed<Real>& now) {
-  const Real speed = now.encoder == EncoderSide::joint ? state.v : state.v + state.twisting;
+  const Real speed = state.speed(now.encoder);
   switch (channel) {
     case Channel::velocity:
       return speed / (1 + drive[Term::clock_rate]);
     case Channel::duty:
-      return now.powered ? asked_duty(drive, now.gain, state.reference, state.reading(now.encoder)) : Real(0);
+      return now.powered ? state.asked : Real(0);
     default:
       return now.powered
                  ? drive[Term::stall_torque] * now.supply * state.acting - drive[Term::back_emf] * speed

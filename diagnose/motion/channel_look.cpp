@@ -34,13 +34,13 @@ double shown(Channel channel, const MotionLog& log, std::size_t k, double late) 
 }
 
 /// The readings of one channel, with their logs.
-struct Course {
+struct ChannelCourse {
   const MotionLog& log;
   const std::vector<double>& read;
 };
 
-std::vector<Course> courses_of(Channel channel, const std::vector<MotionLog>& logs) {
-  std::vector<Course> all;
+std::vector<ChannelCourse> courses_of(Channel channel, const std::vector<MotionLog>& logs) {
+  std::vector<ChannelCourse> all;
   for (const MotionLog& log : logs)
     for (const ChannelReadings& one : log.beside)
       if (one.channel == channel) all.push_back({log, one.value});
@@ -49,7 +49,7 @@ std::vector<Course> courses_of(Channel channel, const std::vector<MotionLog>& lo
 
 /// Least squares of the readings over what is shown. The begins of logs are left out, whose commands are not
 /// known.
-ChannelLook regression(Channel channel, const std::vector<Course>& courses, double late) {
+ChannelLook regression(Channel channel, const std::vector<ChannelCourse>& courses, double late) {
   constexpr double begin = 0.1;  // s
   double n = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0;
   for (const auto& [log, read] : courses)
@@ -66,9 +66,9 @@ ChannelLook regression(Channel channel, const std::vector<Course>& courses, doub
   return look;
 }
 
-double mean_refresh(const std::vector<Course>& courses) {
+double mean_refresh(const std::vector<ChannelCourse>& courses) {
   double duration = 0, changes = 0;
-  for (const Course& course : courses) {
+  for (const ChannelCourse& course : courses) {
     duration += course.log.time.back() - course.log.time.front();
     for (std::size_t k = 1; k < course.read.size(); ++k) changes += course.read[k] != course.read[k - 1];
   }
@@ -76,7 +76,7 @@ double mean_refresh(const std::vector<Course>& courses) {
 }
 
 /// Whether no reading is negative where a twentieth of what is shown is.
-bool has_no_sign(Channel channel, const std::vector<Course>& courses) {
+bool has_no_sign(Channel channel, const std::vector<ChannelCourse>& courses) {
   double negative = 0, all = 0;
   for (const auto& [log, read] : courses) {
     if (std::any_of(read.begin(), read.end(), [](double x) { return x < 0; })) return false;
@@ -85,7 +85,7 @@ bool has_no_sign(Channel channel, const std::vector<Course>& courses) {
   return negative > all / 20;
 }
 
-ChannelLook look_at_channel(Channel channel, const std::vector<Course>& courses) {
+ChannelLook look_at_channel(Channel channel, const std::vector<ChannelCourse>& courses) {
   ChannelLook best = regression(channel, courses, 0);
   for (double late = -0.02; late < 0.0605; late += 0.002)
     if (const ChannelLook one = regression(channel, courses, late); one.explained > best.explained)
@@ -104,7 +104,7 @@ std::vector<ChannelLook> look_beside(const std::vector<MotionLog>& logs) {
   std::vector<ChannelLook> all;
   for (std::size_t c = 0; c < channel_count; ++c) {
     const auto channel = static_cast<Channel>(c);
-    const std::vector<Course> courses = courses_of(channel, logs);
+    const std::vector<ChannelCourse> courses = courses_of(channel, logs);
     if (!courses.empty()) all.push_back(look_at_channel(channel, courses));
   }
   return all;

@@ -53,6 +53,7 @@ const Words* words_of(const std::string& effect) {
        {{Word::mjcf, "forcerange of the servo"},
         {Word::urdf, "effort of <limit>"},
         {Word::sdf, "effort of <limit>"}}},
+      {"derivative_gain", {{Word::mjcf, "kv of the servo (MuJoCo 3)"}}},
       {"command_offset", {{Word::mjcf, "bias of the servo"}}},
       {"encoder_zero", {{Word::mjcf, "ref of the joint"}}},
       {"spring",
@@ -88,6 +89,19 @@ std::vector<std::string> head(const Diagnosis& diagnosis, const std::vector<Carr
   return lines;
 }
 
+/// The torque over speed of a servo, beside its gain.
+void set_gain_of_speed(xml_node servo, double gain, const std::string& file) {
+  if (std::string(servo.name()) != "general") {
+    set(servo, "kv", number(gain));
+    return;
+  }
+  std::vector<double> bias = exchange::numbers_in(servo.attribute("biasprm").value(),
+                                                  exchange::place_of(file, servo) + ": biasprm", 2, 10);
+  bias.resize(std::max<std::size_t>(3, bias.size()));
+  bias[2] = -gain;
+  set(servo, "biasprm", exchange::numbers(bias));
+}
+
 Written written_mjcf(const Bench& bench, const Diagnosis& diagnosis) {
   exchange::MjcfScene scene(bench.model.file);
   const std::string& file = scene.document.file();
@@ -114,6 +128,8 @@ Written written_mjcf(const Bench& bench, const Diagnosis& diagnosis) {
     has_servo = true;
     exchange::edit_servo(servo, law.gain / servo.stiffness(), law.command_moves, file);
     xml_node element = servo.element;
+    if (law.gain_of_speed != 0)
+      set_gain_of_speed(element, law.gain_of_speed / (servo.gear * servo.gear), file);
     const double force = law.torque_limit / std::abs(servo.gear);
     set(element, "forcerange", exchange::numbers({-force, force}));
     if (law.delay == 0) continue;

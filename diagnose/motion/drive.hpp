@@ -39,6 +39,20 @@ enum class Term : std::size_t {
   play,              ///< angle by which the joint is free against the rotor, rad
   gear_compliance,   ///< of the gear between rotor and joint, rad/(N m)
   gear_damping,      ///< of the same, N m s/rad
+  derivative_gain,   ///< duty that the servo takes back with the speed of its reading, s/rad
+  integral_gain,     ///< duty over the integral of the servo's error, 1/(rad s)
+  gravity_forward,   ///< share of the load's weight that the servo carries beforehand
+  periods,           ///< of the motor's torque in a turn of the joint
+  cogging_sine,      ///< torque over the sine of so many times the angle, N m
+  cogging_cosine,    ///< the same over the cosine, N m
+  ripple_sine,       ///< the same over the torque of the motor
+  ripple_cosine,     ///< the same over the cosine
+  contact_above,     ///< of a spring that acts from an angle on, upward, N m/rad
+  above_from,        ///< that angle, rad
+  contact_below,     ///< of a spring that acts from an angle on, downward, N m/rad
+  below_from,        ///< that angle, rad
+  friction_warming,  ///< of all friction, with temperature, share per K
+  base_motion,       ///< share of the base's acceleration that moves the joint
   position_delay,    ///< of the reading of position, s
   velocity_scale,    ///< of the reading of velocity, less one
   velocity_zero,     ///< of the same, rad/s
@@ -93,19 +107,25 @@ struct Imposed {
   Real inertia;    ///< of the load, kg m^2
   double gravity;  ///< moment of the load's weight where it is horizontal, N m
   EncoderSide encoder = EncoderSide::joint;
+  double warmer = 0;             ///< than the mean of the logs, K
+  double base_acceleration = 0;  ///< horizontal, in the direction in which a hanging load rises, m/s^2
 };
 
 /// A state of joint and rotor.
 template <class Real>
 struct Motion {
-  Real q, v;          ///< of the joint, as an encoder there reads them: rad and rad/s
-  Real acting{0};     ///< duty that acts, behind the lag
-  Real reference{0};  ///< that the servo follows: the command where its speed is not limited
-  Real twist{0};      ///< of the rotor against the joint, rad
-  Real twisting{0};   ///< its speed, rad/s
+  Real q, v;           ///< of the joint, as an encoder there reads them: rad and rad/s
+  Real asked{0};       ///< duty that the servo asked for, at the middle of the step
+  Real acting{0};      ///< duty that acts, behind the lag
+  Real reference{0};   ///< that the servo follows: the command where its speed is not limited
+  Real integrated{0};  ///< duty of the servo's integral part
+  Real speeding{0};    ///< acceleration of the reading over the step, rad/s^2
+  Real twist{0};       ///< of the rotor against the joint, rad
+  Real twisting{0};    ///< its speed, rad/s
 
-  /// The reading of position.
+  /// The reading of position, and its speed.
   [[nodiscard]] Real reading(EncoderSide side) const { return side == EncoderSide::joint ? q : q + twist; }
+  [[nodiscard]] Real speed(EncoderSide side) const { return side == EncoderSide::joint ? v : v + twisting; }
 };
 
 /// The joint's angle, or speed, where its encoder reads this one; and the other way round.
@@ -123,14 +143,36 @@ Real limited(const Real& x, const Real& limit) {
   return x > limit ? limit : x < -limit ? -limit : x;
 }
 
-/// The duty that the servo asks for.
+/// The error that the servo acts on.
 template <class Real>
-Real asked_duty(const Drive<Real>& drive, double gain, const Real& reference, const Real& reading) {
+Real servo_error(const Drive<Real>& drive, const Real& reference, const Real& reading) {
   Real error = reference - reading;
   if (drive.has(Term::command_scale)) error = error + drive[Term::command_scale] * reference;
   if (drive.has(Term::command_offset)) error = error + drive[Term::command_offset];
   if (drive.has(Term::dead_band)) error = error - limited(error, drive[Term::dead_band]);
-  return limited<Real>(gain * error, 1 - drive[Term::duty_missing]);
+  return error;
+}
+
+/// The duty of the servo's integral part a time later; none is kept beyond the whole duty.
+template <class Real>
+Real integrated(const Drive<Real>& drive, const Real& duty, const Real& error, double time) {
+  return limited<Real>(duty + time * (drive[Term::integral_gain] * error), Real(1));
+}
+
+/// The duty that the servo asks for.
+/// \param speed       of the reading
+/// \param integrated  its integral part
+template <class Real>
+Real asked_duty(const Drive<Real>& drive, const Imposed<Real>& now, const Real& error, const Real& reading,
+                const Real& speed, const Real& integrated) {
+  using std::sin;
+  Real duty = now.gain * error;
+  if (drive.has(Term::derivative_gain)) duty = duty - drive[Term::derivative_gain] * speed;
+  if (drive.has(Term::integral_gain)) duty = duty + integrated;
+  if (drive.has(Term::gravity_forward) && value_of(drive[Term::stall_torque]) > 0)
+    duty = duty + drive[Term::gravity_forward] * (now.gravity / now.supply) * sin(reading) /
+                      drive[Term::stall_torque];
+  return limited<Real>(duty, 1 - drive[Term::duty_missing]);
 }
 
 }  // namespace plumbline::motion

@@ -67,6 +67,10 @@ Dual<size> sin(const Dual<size>& x) {
   return {std::sin(x.value), std::cos(x.value) * x.derivative};
 }
 template <int size>
+Dual<size> cos(const Dual<size>& x) {
+  return {std::cos(x.value), -std::sin(x.value) * x.derivative};
+}
+template <int size>
 Dual<size> exp(const Dual<size>& x) {
   const double value = std::exp(x.value);
   return {value, value * x.derivative};

@@ -14,6 +14,7 @@ JointLaw joint_law(const Bench& bench, const Drive<double>& drive, double servo_
           drive[Term::spring],
           drive[Term::zero] - bench.nominal[Term::zero],
           torque * servo_gain,
+          torque * drive[Term::derivative_gain],
           drive[Term::command_offset],
           torque * (1 - drive[Term::duty_missing]),
           drive[Term::command_delay],

@@ -13,6 +13,7 @@ struct JointLaw {
   double stiffness;      ///< of a spring that is at ease where the joint is at zero, N m/rad
   double zero_moves;     ///< how far the joint's zero stands beside the encoder's, over the stated one, rad
   double gain;           ///< of the servo, N m/rad
+  double gain_of_speed;  ///< of its derivative part, N m s/rad
   double command_moves;  ///< added to commands, rad
   double torque_limit;   ///< N m
   double delay;          ///< of the command, s

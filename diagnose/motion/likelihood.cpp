@@ -11,6 +11,8 @@
 namespace plumbline::motion {
 namespace {
 
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
 /// Degrees of freedom of a segment's scale, whose logarithm is thus known to about a ninth. Fewer let a fit
 /// give up the segments that it does not reach.
 constexpr double freedom = 40;
@@ -20,67 +22,81 @@ constexpr std::array correlations{0.06, 0.17, 0.5};
 
 }  // namespace
 
-/// Covariances of a segment at one time of correlation.
-struct Likelihood::Correlated {
-  Eigen::MatrixXd known;        ///< of the initial state, the noise and the numerical error
-  Eigen::MatrixXd discrepancy;  ///< of one of size one
-  [[nodiscard]] Eigen::MatrixXd covariance(double amplitude) const {
-    return known + amplitude * amplitude * discrepancy;
-  }
-};
-
-Likelihood::Correlated Likelihood::correlated(const SegmentMeans& left, double correlation) const {
-  const Eigen::Index n = left.time.size();
-  Correlated all{left.initial * left.initial.transpose(), Eigen::MatrixXd::Zero(n, n)};
-  all.known.diagonal() += left.variance;
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const std::size_t own = left.quantity[static_cast<std::size_t>(i)];
-    const double size = units_[own] / unit(), error = numerical_.empty() ? 0 : numerical_[left.log][own];
-    for (Eigen::Index j = 0; j < n; ++j) {
-      if (left.quantity[static_cast<std::size_t>(j)] != own) continue;
-      const double alike = std::exp(-std::abs(left.time(i) - left.time(j)) / correlation);
-      all.discrepancy(i, j) = size * size * alike;
-      all.known(i, j) += error * error * alike;
-    }
-  }
-  return all;
-}
-
-/// Of one segment, whose columns are whitened.
+/// Of one segment: columns whose readings are made independent and of variance one, one after the other, by
+/// Kalman's filter of a discrepancy that forgets exponentially. The initial state is summed out beside them.
 struct Likelihood::Whitened {
-  Eigen::VectorXd residual;
-  Eigen::MatrixXd slopes, initial;  ///< where they are wanted
-  double log_det;
+  VectorXd residual;
+  MatrixXd slopes, initial;
+  double log_det = 0;      ///< of the covariance of all that is not the initial state
+  Eigen::Matrix2d begin;   ///< precision of the begin
+  Eigen::Vector2d pulled;  ///< of its most probable value, times the precision
+  Eigen::LDLT<Eigen::Matrix2d> by_begin;
 
-  Whitened(const SegmentMeans& left, const Eigen::MatrixXd& covariance, bool with_slopes)
-      : residual(left.residual + left.initial * left.begin) {
-    const Eigen::LLT<Eigen::MatrixXd> factor(covariance);
-    factor.matrixL().solveInPlace(residual);
-    log_det = 2 * factor.matrixLLT().diagonal().array().log().sum();
-    if (!with_slopes) return;
-    slopes = factor.matrixL().solve(left.slopes);
-    initial = factor.matrixL().solve(left.initial);
+  /// \param kept      share of the discrepancy that each reading has from the one before; 0 of the first
+  /// \param variance  of the discrepancy, by reading
+  Whitened(const SegmentMeans& left, const VectorXd& kept, const VectorXd& variance, bool with_slopes)
+      : residual(left.residual + left.initial * left.begin), initial(left.initial) {
+    if (with_slopes) slopes = left.slopes;
+    const Index n = residual.size(), p = slopes.cols();
+    Eigen::RowVectorXd expected = Eigen::RowVectorXd::Zero(3 + p), own(3 + p);
+    double unsure = 0;
+    for (Index i = 0; i < n; ++i) {
+      expected *= kept(i);
+      unsure = kept(i) * kept(i) * unsure + (1 - kept(i) * kept(i)) * variance(i);
+      const double all = unsure + left.variance(i), share = unsure / all, scale = 1 / std::sqrt(all);
+      own(0) = residual(i), own.segment<2>(1) = initial.row(i);
+      if (p > 0) own.tail(p) = slopes.row(i);
+      own -= expected;
+      expected += share * own;
+      unsure *= 1 - share;
+      log_det += std::log(all);
+      residual(i) = scale * own(0), initial.row(i) = scale * own.segment<2>(1);
+      if (p > 0) slopes.row(i) = scale * own.tail(p);
+    }
+    begin = Eigen::Matrix2d::Identity() + initial.transpose() * initial;
+    pulled = initial.transpose() * residual;
+    by_begin.compute(begin);
   }
-  [[nodiscard]] double square() const { return residual.squaredNorm(); }
+  [[nodiscard]] double square() const { return residual.squaredNorm() - pulled.dot(by_begin.solve(pulled)); }
   [[nodiscard]] double log_density() const {
     const auto n = static_cast<double>(residual.size());
     return std::lgamma((freedom + n) / 2) - std::lgamma(freedom / 2) -
-           n / 2 * std::log(freedom * std::numbers::pi) - log_det / 2 -
+           n / 2 * std::log(freedom * std::numbers::pi) - (log_det + std::log(begin.determinant())) / 2 -
            (freedom + n) / 2 * std::log1p(square() / freedom);
   }
 };
 
+VectorXd Likelihood::kept(const SegmentMeans& left, double correlation) {
+  VectorXd share = VectorXd::Zero(left.time.size());
+  for (Index i = 1; i < share.size(); ++i)
+    if (left.quantity[static_cast<std::size_t>(i)] == left.quantity[static_cast<std::size_t>(i - 1)])
+      share(i) = std::exp(-(left.time(i) - left.time(i - 1)) / correlation);
+  return share;
+}
+
+VectorXd Likelihood::variance(const SegmentMeans& left, double amplitude) const {
+  VectorXd all(left.time.size());
+  for (Index i = 0; i < all.size(); ++i) {
+    const std::size_t own = left.quantity[static_cast<std::size_t>(i)];
+    const double error = numerical_.empty() ? 0 : numerical_[left.log][own];
+    all(i) = std::pow(amplitude * units_[own] / unit(), 2) + error * error;
+  }
+  return all;
+}
+
 Slope Likelihood::slope(const std::vector<SegmentMeans>& left, const Cell& cell) const {
-  const Eigen::Index parameters = left.front().slopes.cols();
-  Slope sum{0, Eigen::VectorXd::Zero(parameters), Eigen::MatrixXd::Zero(parameters, parameters), {}, {}};
+  const Index parameters = left.front().slopes.cols();
+  Slope sum{0, VectorXd::Zero(parameters), MatrixXd::Zero(parameters, parameters), {}, {}};
   for (const SegmentMeans& one : left) {
-    const Whitened white(one, correlated(one, cell.correlation).covariance(cell.amplitude), true);
+    const Whitened white(one, kept(one, cell.correlation), variance(one, cell.amplitude), true);
     const double weight = (freedom + static_cast<double>(one.time.size())) / (freedom + white.square());
+    const Begin begin = white.by_begin.solve(white.pulled);
+    const MatrixXd across = white.initial.transpose() * white.slopes, moved = white.by_begin.solve(across);
     sum.log_likelihood += white.log_density();
-    sum.gradient += weight * white.slopes.transpose() * white.residual;
-    sum.information += weight * white.slopes.transpose() * white.slopes;
-    sum.begin.emplace_back(white.initial.transpose() * white.residual);
-    sum.begin_slopes.emplace_back(-white.initial.transpose() * white.slopes);
+    sum.gradient += weight * (white.slopes.transpose() * white.residual - across.transpose() * begin);
+    sum.information += weight * (white.slopes.transpose() * white.slopes - across.transpose() * moved);
+    sum.begin.emplace_back(begin);
+    sum.begin_slopes.emplace_back(-moved);
   }
   return sum;
 }
@@ -91,10 +107,11 @@ Look Likelihood::look(const std::vector<SegmentMeans>& left) const {
   std::vector<ByCell> by_segment(left.size(), ByCell(sizes));
   in_parallel(left.size(), available_threads(), [&](std::size_t s) {
     for (std::size_t c = 0; c < correlations.size(); ++c) {
-      const Correlated all = correlated(left[s], correlations[c]);
+      const VectorXd from_before = kept(left[s], correlations[c]);
       for (std::size_t a = 0; a < sizes; ++a)
         by_segment[s][a][c] =
-            Whitened(left[s], all.covariance(unit() * priors_.amplitude[a]), false).log_density();
+            Whitened(left[s], from_before, variance(left[s], unit() * priors_.amplitude[a]), false)
+                .log_density();
     }
   });
   ByCell by_cell(sizes, {0, 0, 0});

@@ -8,9 +8,10 @@
 /// Beside the discrepancy A stands e, the error of the prediction by steps of finite length: no drive is
 /// modelled better than its motion is computed.
 ///
-/// The initial state and delta are summed out; the motion is linear in the initial state about the one that
-/// it was computed from, which fits move to the most probable one. Each segment has a scale of its own, which
-/// is known within a factor: Student's distribution of many values. So logs that repeat badly count for less.
+/// The initial state and delta are summed out, the latter reading by reading (Kalman 1960); the motion is
+/// linear in the initial state about the one that it was computed from, which fits move to the most probable
+/// one. Each segment has a scale of its own, which is known within a factor: Student's distribution of many
+/// values. So logs that repeat badly count for less.
 
 #include "diagnose/inference/hyperpriors.hpp"
 #include "diagnose/motion/bench.hpp"
@@ -55,9 +56,11 @@ class Likelihood {
   [[nodiscard]] Look look(const std::vector<SegmentMeans>& left) const;
 
  private:
-  struct Correlated;
   struct Whitened;
-  [[nodiscard]] Correlated correlated(const SegmentMeans& left, double correlation) const;
+  /// Share of the discrepancy that each reading has from the one before it of the same quantity.
+  [[nodiscard]] static Eigen::VectorXd kept(const SegmentMeans& left, double correlation);
+  /// Variance of the discrepancy at each reading, with the error of the prediction.
+  [[nodiscard]] Eigen::VectorXd variance(const SegmentMeans& left, double amplitude) const;
 
   Quantities units_;
   std::vector<Quantities> numerical_;

@@ -15,7 +15,7 @@ struct ChannelReadings {
   std::vector<double> value;
 };
 
-/// One log. SI units, radians; all lists are as long as `time`.
+/// One log. SI units, radians; all lists that are not empty are as long as `time`.
 struct MotionLog {
   std::string name;
   std::vector<double> time;      ///< s, ascending
@@ -24,11 +24,14 @@ struct MotionLog {
   std::vector<double> supply;    ///< V; one where none is read
   std::vector<bool> powered;
   std::vector<ChannelReadings> beside = {};
-  std::size_t spikes = 0;  ///< isolated readings of position that were replaced
+  std::vector<double> warmer = {};             ///< than the mean of the logs, K; empty where none is read
+  std::vector<double> base_acceleration = {};  ///< m/s^2, as Imposed has it; empty where none is read
+  std::size_t spikes = 0;                      ///< isolated readings of position that were replaced
   EncoderSide encoder = EncoderSide::joint;
-  double gain = 0;     ///< of the servo: duty per rad of error
-  double inertia = 0;  ///< of the load about the joint, kg m^2
-  double gravity = 0;  ///< moment of the load's weight where it is horizontal, N m
+  double gain = 0;      ///< of the servo: duty per rad of error
+  double inertia = 0;   ///< of the load about the joint, kg m^2
+  double gravity = 0;   ///< moment of the load's weight where it is horizontal, N m
+  double step = 0.002;  ///< longest one of a roll-out of all of it, s
 };
 
 /// A stretch of a log that is predicted from an initial state of its own.

@@ -1,51 +1,33 @@
 #include "diagnose/motion/next_motion.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <numbers>
 #include <set>
 
+#include "diagnose/motion/course.hpp"
 #include "diagnose/motion/roll_out.hpp"
 
 namespace plumbline::motion {
 namespace {
 
-/// A command over time, from zero.
-struct Course {
-  std::string words;
-  std::function<double(double)> at;
-};
+constexpr double proposed_duration = 10, proposed_rate = 100;  // s, 1/s
 
 std::vector<Course> courses(double size) {
   std::vector<Course> all;
   for (const double share : {1.0, 0.3}) {
     const double a = share * size;
-    for (const double hertz : {0.1, 0.3, 1.0, 3.0})
-      all.push_back({fmt::format("a sine of {:.2g} rad at {:g} Hz", a, hertz),
-                     [a, hertz](double t) { return a * std::sin(2 * std::numbers::pi * hertz * t); }});
-    all.push_back({fmt::format("a step of {:.2g} rad", a), [a](double t) { return t < 0.5 ? 0 : a; }});
-    all.push_back({fmt::format("a sweep of {:.2g} rad from 0 to 5 Hz", a),
-                   [a](double t) { return a * std::sin(std::numbers::pi * 0.5 * t * t); }});
-    all.push_back({fmt::format("a ramp to {:.2g} rad in 8 s, and back in 2 s", a),
-                   [a](double t) { return t < 8 ? a * t / 8 : a * std::max(0.0, 1 - (t - 8) / 2); }});
+    for (const double hertz : {0.1, 0.3, 1.0, 3.0}) all.push_back(sine(a, hertz));
+    for (const Course& one : {step(a), sweep(a, 5, proposed_duration), ramp(a, proposed_duration)})
+      all.push_back(one);
   }
   return all;
 }
 
-/// Ten seconds at 100 Hz, by the servo of a log, with its load or without.
+/// By the servo of a log, with its load or without.
 MotionLog log_of(const MotionLog& like, double supply, const Course& course, bool loaded) {
-  MotionLog log;
+  MotionLog log = commanded(course, proposed_duration, proposed_rate, supply);
   log.encoder = like.encoder, log.gain = like.gain;
   if (loaded) log.inertia = like.inertia, log.gravity = like.gravity;
-  for (int k = 0; k < 1000; ++k) {
-    log.time.push_back(0.01 * k);
-    log.command.push_back(course.at(log.time.back()));
-  }
-  log.supply.assign(log.time.size(), supply);
-  log.powered.assign(log.time.size(), true);
   return log;
 }
 

@@ -72,7 +72,7 @@ std::vector<ChartPoint> law_of(const Drive<double>& drive, double fastest) {
   std::vector<ChartPoint> law;
   for (int i = -points; i <= points; ++i) {
     const double v = fastest * i / points, way = v > 0 ? 1 : -1;
-    law.push_back({v, way * friction_of(drive, way, v, 0.0) + drive[Term::viscous] * v});
+    law.push_back({v, way * friction_of(drive, way, v, 0.0, 1.0) + drive[Term::viscous] * v});
   }
   return law;
 }
@@ -82,7 +82,7 @@ std::vector<ChartPoint> taken(const Drive<double>& drive, const MotionLog& log) 
   const InitialState begin = initial_state(log, 0);
   std::vector<ChartPoint> points;
   roll_out(
-      drive, log, {0, 0, log.time.size()}, begin.q, begin.v,
+      drive, log, {0, 0, log.time.size(), log.step}, begin.q, begin.v,
       [&](std::size_t k, const Motion<double>& state, const Imposed<double>& now) {
         if (k % 5 != 0 || !now.powered) return;
         const InitialState read = initial_state(log, k);

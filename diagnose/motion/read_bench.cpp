@@ -12,6 +12,7 @@
 
 #include "diagnose/bench/section.hpp"
 #include "diagnose/motion/bam_log.hpp"
+#include "diagnose/motion/course.hpp"
 #include "diagnose/motion/log_look.hpp"
 #include "diagnose/motion/log_table.hpp"
 #include "support/files/text_file.hpp"
@@ -22,6 +23,12 @@ namespace {
 using diagnose::Section;
 
 constexpr double gravity = 9.81;  // m/s^2
+
+double positive(const Section& section, const std::string& key, const std::string& of) {
+  const double number = section.number(key, "a positive number, " + of);
+  if (!(number > 0)) section.refuse(key, "a positive number, " + of);
+  return number;
+}
 
 /// A row of the index: of a log, the entries by column.
 struct IndexRow {
@@ -74,12 +81,12 @@ void read_load(const Section& load, const IndexRow& row, MotionLog& log) {
 
 /// Columns of a log by what they hold.
 struct Columns {
-  std::string t, command, position, supply, powered, current;
+  std::string t, command, position, supply, powered, current, temperature, base_acceleration;
   std::array<std::string, channel_count> beside;
 
   explicit Columns(const Section& section) {
-    section.allow_only(
-        {"t", "command", "position", "supply", "powered", "velocity", "duty", "torque", "current"});
+    section.allow_only({"t", "command", "position", "supply", "powered", "velocity", "duty", "torque",
+                        "current", "temperature", "base_acceleration"});
     const auto named = [&](const char* key) {
       return section.has(key) ? section.text(key, "the name of a column") : std::string(key);
     };
@@ -87,6 +94,8 @@ struct Columns {
     if (section.has("supply")) supply = named("supply");
     if (section.has("powered")) powered = named("powered");
     if (section.has("current")) current = named("current");
+    if (section.has("temperature")) temperature = named("temperature");
+    if (section.has("base_acceleration")) base_acceleration = named("base_acceleration");
     for (std::size_t c = 0; c < channel_count; ++c)
       if (const std::string key(channel_kinds[c].name); section.has(key)) beside[c] = named(key.c_str());
     if (!current.empty() && !beside[static_cast<std::size_t>(Channel::torque)].empty())
@@ -108,15 +117,24 @@ void read_channels(const LogTable& table, const Columns& columns, double torque_
 std::array<double, channel_count> noise_beside(const Section& noise, const Columns& columns,
                                                double torque_constant) {
   std::array<double, channel_count> sigma{};
-  const auto read = [&](const std::string& key, double& to, double factor) {
-    to = factor * noise.number(key, "the standard deviation of a reading of " + key);
-    if (!(to > 0)) noise.refuse(key, "a positive number");
+  const auto of = [&](const std::string& key) {
+    return positive(noise, key, "the standard deviation of a reading of " + key);
   };
   for (std::size_t c = 0; c < channel_count; ++c)
-    if (!columns.beside[c].empty()) read(std::string(channel_kinds[c].name), sigma[c], 1);
+    if (!columns.beside[c].empty()) sigma[c] = of(std::string(channel_kinds[c].name));
   if (!columns.current.empty())
-    read("current", sigma[static_cast<std::size_t>(Channel::torque)], torque_constant);
+    sigma[static_cast<std::size_t>(Channel::torque)] = torque_constant * of("current");
   return sigma;
+}
+
+/// Temperatures as departures from the mean of the logs that are fitted, for which the stated numbers hold.
+void center_temperatures(Bench& bench) {
+  double sum = 0, count = 0;
+  for (const MotionLog& log : bench.logs)
+    for (const double x : log.warmer) sum += x, ++count;
+  for (std::vector<MotionLog>* logs : {&bench.logs, &bench.held_out})
+    for (MotionLog& log : *logs)
+      for (double& x : log.warmer) x -= sum / count;
 }
 
 /// Leaves out channels that are no readings.
@@ -146,6 +164,8 @@ MotionLog read_log(const std::filesystem::path& folder, const IndexRow& row, con
     const std::vector<double> on = table.numbers(columns.powered);
     for (std::size_t k = 0; k < on.size(); ++k) log.powered[k] = on[k] != 0;
   }
+  if (!columns.temperature.empty()) log.warmer = table.numbers(columns.temperature);
+  if (!columns.base_acceleration.empty()) log.base_acceleration = table.numbers(columns.base_acceleration);
   read_channels(table, columns, torque_constant, log);
   return log;
 }
@@ -180,7 +200,7 @@ std::vector<IndexRow> rows_of(const std::filesystem::path& folder, const Section
 /// The stated numbers of the drive, and those that are unknown.
 void read_drive(const Section& drive, Bench& bench) {
   const std::vector<Stated> numbers = stated_numbers(Sizes(bench.logs));
-  std::set<std::string> known;
+  std::set<std::string> known{"periods_per_turn"};
   for (const Stated& one : numbers) known.insert(std::string(one.id));
   drive.allow_only(known);
   for (const Stated& one : numbers) {
@@ -194,6 +214,9 @@ void read_drive(const Section& drive, Bench& bench) {
     bench.nominal[one.term] = drive.number(key, expected);
     if (!one.signed_ && bench.nominal[one.term] < 0) drive.refuse(key, expected + ", not negative");
   }
+  if (drive.has("periods_per_turn")) bench.periods = drive.numbers("periods_per_turn", 0);
+  for (const double n : bench.periods)
+    if (!(n > 0)) drive.refuse("periods_per_turn", "positive numbers");
   if (!drive.has("stall_torque"))
     throw Error(drive.place("stall_torque"), "none",
                 "the torque at full duty over the supply, N m/V, or \"unknown\"");
@@ -216,6 +239,64 @@ ModelFile read_model(const std::filesystem::path& folder, const Section& model, 
   return read;
 }
 
+Section settings_of(const toml::table& table, const std::filesystem::path& file) {
+  const Section all(table, file.string());
+  all.allow_only({"format", "name", "logs", "motion", "columns", "servo", "load", "drive", "noise", "model"});
+  return all;
+}
+
+/// What all logs of an experiment share.
+struct Setup {
+  Section servo, load;
+  Columns columns;
+  EncoderSide encoder;
+  double torque_constant;
+
+  /// \param bench  gets its name, and what its readings scatter
+  Setup(const Section& all, Bench& bench)
+      : servo(all.table("servo")),
+        load(all.table("load")),
+        columns(all.table_or_empty("columns")),
+        encoder(EncoderSide::joint),
+        torque_constant(1) {
+    servo.allow_only({"gain", "duty_per_error", "supply", "encoder", "torque_constant"});
+    load.allow_only({"mass", "length", "rod_mass", "inertia", "gravity_moment"});
+    const Section noise = all.table("noise");
+    noise.allow_only({"position", "velocity", "duty", "torque", "current"});
+    if (servo.has("encoder") && servo.one_of("encoder", {"joint", "motor"}) == "motor")
+      encoder = EncoderSide::motor;
+    if (!columns.current.empty())
+      torque_constant = positive(servo, "torque_constant", "torque at the joint over current, N m/A");
+    bench.name = all.name("name", "a name");
+    bench.sigma = positive(noise, "position", "the standard deviation of a reading of position, rad");
+    bench.sigma_beside = noise_beside(noise, columns, torque_constant);
+  }
+
+  /// Encoder, load, and the gain as duty per rad.
+  void complete(const IndexRow& row, MotionLog& log) const {
+    log.encoder = encoder;
+    log.gain *= value_of(servo, "duty_per_error", row, 1);
+    if (!(log.gain > 0))
+      throw Error(row.place, fmt::format("a gain of {:g}", log.gain), "a positive one, duty per rad");
+    read_load(load, row, log);
+  }
+};
+
+MotionLog planned_motion(const Section& one, double supply) {
+  one.allow_only({"kind", "size", "frequency", "duration", "rate", "gain"});
+  const double size = positive(one, "size", "rad"),
+               duration = one.has("duration") ? positive(one, "duration", "s") : 10,
+               rate = one.has("rate") ? positive(one, "rate", "1/s") : 100;
+  constexpr double fewest = 40, most = 1e5;  // readings
+  if (const double readings = duration * rate; readings < fewest || readings > most)
+    throw Error(one.where(), fmt::format("{:g} readings", readings), "between 40 and 100000");
+  const std::string kind = one.one_of("kind", {"sine", "step", "sweep", "ramp"});
+  if (kind == "step") return commanded(step(size), duration, rate, supply);
+  if (kind == "ramp") return commanded(ramp(size, duration), duration, rate, supply);
+  const double hertz = positive(one, "frequency", "Hz");
+  return commanded(kind == "sine" ? sine(size, hertz) : sweep(size, hertz, duration), duration, rate, supply);
+}
+
 }  // namespace
 
 bool is_motion(const std::filesystem::path& folder) {
@@ -227,47 +308,53 @@ bool is_motion(const std::filesystem::path& folder) {
 Bench read_bench(const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / "experiment.toml";
   const toml::table table = files::parse_toml(files::read_text(file), file.string());
-  const Section all(table, file.string());
-  all.allow_only({"format", "name", "logs", "columns", "servo", "load", "drive", "noise", "model"});
-  const Section logs = all.table("logs"), servo = all.table("servo"), load = all.table("load"),
-                noise = all.table("noise");
+  const Section all = settings_of(table, file);
+  const Section logs = all.table("logs");
   logs.allow_only({"files", "index", "file", "fit", "held_out"});
-  servo.allow_only({"gain", "duty_per_error", "supply", "encoder", "torque_constant"});
-  const EncoderSide encoder = servo.has("encoder") && servo.one_of("encoder", {"joint", "motor"}) == "motor"
-                                  ? EncoderSide::motor
-                                  : EncoderSide::joint;
-  load.allow_only({"mass", "length", "rod_mass", "inertia", "gravity_moment"});
-  noise.allow_only({"position", "velocity", "duty", "torque", "current"});
-  const Columns columns(all.table_or_empty("columns"));
-
   Bench bench;
-  bench.name = all.name("name", "a name");
-  bench.sigma = noise.number("position", "the standard deviation of a reading of position, rad");
-  if (!(bench.sigma > 0)) noise.refuse("position", "a positive number, rad");
-  const double torque_constant =
-      columns.current.empty() ? 1
-                              : servo.number("torque_constant", "torque at the joint over current, N m/A");
-  if (!(torque_constant > 0)) servo.refuse("torque_constant", "a positive number, N m/A");
-  bench.sigma_beside = noise_beside(noise, columns, torque_constant);
+  const Setup setup(all, bench);
   std::optional<LogTable> index;
   for (const IndexRow& row : rows_of(folder, logs, index)) {
     const bool held_out = logs.has("held_out") && is_chosen(logs, "held_out", row);
     if (!held_out && logs.has("fit") && !is_chosen(logs, "fit", row)) continue;
     require_inside(row.file, row.place);
-    MotionLog log = read_log(folder, row, columns, value_of(servo, "supply", row, 1), torque_constant);
-    log.encoder = encoder;
-    log.gain = value_of(servo, "gain", row, 1) * value_of(servo, "duty_per_error", row, 1);
-    if (!(log.gain > 0))
-      throw Error(row.place, fmt::format("a gain of {:g}", log.gain), "a positive one, duty per rad");
-    read_load(load, row, log);
+    MotionLog log =
+        read_log(folder, row, setup.columns, value_of(setup.servo, "supply", row, 1), setup.torque_constant);
+    log.gain = value_of(setup.servo, "gain", row, 1);
+    setup.complete(row, log);
     require_judgeable(log);
     mend_spikes(log, bench.sigma);
     (held_out ? bench.held_out : bench.logs).push_back(std::move(log));
   }
   if (bench.logs.empty()) throw Error(logs.where() + ": logs", "no log to fit to", "one at least");
+  center_temperatures(bench);
   look_beside(bench);
   read_drive(all.table("drive"), bench);
-  bench.model = read_model(folder, all.table_or_empty("model"), servo);
+  bench.model = read_model(folder, all.table_or_empty("model"), setup.servo);
+  return bench;
+}
+
+Bench read_planned_bench(const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / "experiment.toml";
+  const toml::table table = files::parse_toml(files::read_text(file), file.string());
+  const Section all = settings_of(table, file);
+  Bench bench;
+  const Setup setup(all, bench);
+  for (const Section& one : all.tables("motion")) {
+    MotionLog log = planned_motion(one, value_of(setup.servo, "supply", {}, 1));
+    if (one.has("gain")) {
+      log.gain = positive(one, "gain", "in the unit of servo.gain");
+      log.name += fmt::format(", gain {:g}", log.gain);
+    } else {
+      log.gain = value_of(setup.servo, "gain", {}, 1);
+    }
+    setup.complete({log.name, one.where()}, log);
+    log.position = log.command;  // of a servo that follows, until the model predicts it
+    bench.logs.push_back(std::move(log));
+  }
+  if (bench.logs.empty())
+    throw Error(all.place("motion"), "none", "[[motion]], one for each that is planned");
+  read_drive(all.table("drive"), bench);
   return bench;
 }
 

@@ -15,4 +15,9 @@ bool is_motion(const std::filesystem::path& folder);
 /// \throws Error, one line with the file, the line or key, what was found and what was expected
 Bench read_bench(const std::filesystem::path& folder);
 
+/// The same rig with the motions that `[[motion]]` plans, whether or not it has logs: commands without
+/// readings.
+/// \throws Error as read_bench() does
+Bench read_planned_bench(const std::filesystem::path& folder);
+
 }  // namespace plumbline::motion

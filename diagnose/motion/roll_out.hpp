@@ -43,11 +43,12 @@ Drive<Real> by_stamps(const Drive<Real>& drive) {
   Drive<Real> own = drive;
   const Real rate = 1 + drive[Term::clock_rate];
   for (const Term term : {Term::command_delay, Term::drive_lag, Term::command_slowness, Term::viscous,
-                          Term::back_emf, Term::brake, Term::gear_damping})
+                          Term::back_emf, Term::brake, Term::gear_damping, Term::derivative_gain})
     if (drive.has(term)) own[term] = drive[term] / rate;
   for (const Term term : {Term::armature, Term::drag})
     if (drive.has(term)) own[term] = drive[term] / (rate * rate);
-  if (drive.has(Term::rising_speed)) own[Term::rising_speed] = drive[Term::rising_speed] * rate;
+  for (const Term term : {Term::rising_speed, Term::integral_gain})
+    if (drive.has(term)) own[term] = drive[term] * rate;
   return own;
 }
 
@@ -57,10 +58,26 @@ struct Nothing {
   void operator()(const Arguments&...) const {}
 };
 
+/// The duty of the servo's integral part at a reading, from none at the begin of the log: by the errors that
+/// were read.
+template <class Real>
+Real integrated_before(const Drive<Real>& drive, const MotionLog& log, std::size_t reading) {
+  Real duty(0);
+  if (!drive.has(Term::integral_gain)) return duty;
+  HeldSignal command(log.time, log.command);
+  for (std::size_t k = 0; k < reading; ++k) {
+    const double h = log.time[k + 1] - log.time[k];
+    const Real read((log.position[k] + log.position[k + 1]) / 2);
+    const Real error = servo_error(drive, command.mean(log.time[k], h, drive[Term::command_delay]), read);
+    duty = log.powered[k] ? integrated(drive, duty, error, h) : Real(0);
+  }
+  return duty;
+}
+
 /// Follows a segment from the angle that its encoder reads at the begin, and a speed.
 /// \param visit  called with the number of each reading in the segment, the state, and what is imposed
-/// \param pass   called with the length of each step, its share of the time to the next reading, the state at
-///               its end, and what is imposed
+/// \param pass   called at the end of each step with its share of the time to the next reading, the state, and
+///               what is imposed
 template <class Real, class Visit, class Pass = Nothing>
 void roll_out(const Drive<Real>& true_drive, const MotionLog& log, const Segment& segment,
               const Real& reading, const Real& v, const Visit& visit, const Pass& pass = {}) {
@@ -71,16 +88,18 @@ void roll_out(const Drive<Real>& true_drive, const MotionLog& log, const Segment
   Motion<Real> state;
   for (std::size_t k = segment.first; k < segment.end; ++k) {
     now.supply = log.supply[k], now.powered = log.powered[k];
+    if (!log.warmer.empty()) now.warmer = log.warmer[k];
+    if (!log.base_acceleration.empty()) now.base_acceleration = log.base_acceleration[k];
     const double whole = k + 1 < log.time.size() ? log.time[k + 1] - log.time[k] : segment.step;
     const double steps = std::ceil(whole / segment.step), h = whole / steps;
     now.command = command.mean(log.time[k], h, drive[Term::command_delay]);
-    if (k == segment.first) state = begun(drive, now, reading, v, h);
+    if (k == segment.first) state = begun(drive, now, reading, v, integrated_before(drive, log, k), h);
     visit(k - segment.first, state, now);
     if (k + 1 == segment.end) break;
     for (double i = 0; i < steps; ++i) {
       if (i > 0) now.command = command.mean(log.time[k] + i * h, h, drive[Term::command_delay]);
       state = after(drive, now, state, h);
-      pass(h, 1 / steps, state, now);
+      pass(1 / steps, state, now);
     }
   }
 }
@@ -127,14 +146,10 @@ std::vector<std::vector<Real>> readings_of(const Drive<Real>& drive, const Motio
         if (k + 1 < segment.end - segment.first)
           for (std::size_t i = 1; i < read.size(); ++i) read[i].emplace_back(0);
       },
-      [&](double h, double share, const Motion<Real>& state, const Imposed<Real>& now) {
+      [&](double share, const Motion<Real>& state, const Imposed<Real>& now) {
         if (read.size() == 1) return;
-        Motion<Real> middle = state;  // of the step, as its command is
-        middle.q = middle.q - h / 2 * middle.v;
-        middle.twist = middle.twist - h / 2 * middle.twisting;
         for (std::size_t i = 1; i < read.size(); ++i)
-          read[i].back() =
-              read[i].back() + share * quantity_of(log.beside[i - 1].channel, drive, middle, now);
+          read[i].back() = read[i].back() + share * quantity_of(log.beside[i - 1].channel, drive, state, now);
       });
   const auto delayed = [&](std::vector<Real>& course, Term term) {
     if (drive.has(term)) course = late(course, log, segment, drive[term]);

@@ -226,11 +226,6 @@ class Searcher {
 
   /// Whether a row changes what another one of these changes already: then they are forms of one cause.
   static bool shares_a_term(const Candidate& candidate, const Row& row) {
-    const auto terms_of = [](const Row& one) {
-      std::set<Term> terms;
-      for (const Parameter& p : one.parameters) terms.insert(p.terms.begin(), p.terms.end());
-      return terms;
-    };
     const std::set<Term> own = terms_of(row);
     return std::any_of(candidate.rows.begin(), candidate.rows.end(), [&](const Row* other) {
       const std::set<Term> theirs = terms_of(*other);

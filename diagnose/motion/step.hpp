@@ -11,21 +11,56 @@ namespace plumbline::motion {
 template <class Real>
 struct Forces {
   Real motor;    ///< torque of the motor at rest
-  Real against;  ///< weight, spring and offset
+  Real against;  ///< weight, springs, contacts and offset
   Real damping;  ///< torque over speed, all that is proportional to it
+  Real warm{1};  ///< factor of friction by temperature
 };
+
+/// The motor's torque with what of it depends on the angle: cogging, and a share of the torque itself
+/// (ripple).
+template <class Real>
+Real rippled(const Drive<Real>& drive, const Real& motor, const Real& angle) {
+  using std::sin, std::cos;
+  if (!drive.has(Term::periods)) return motor;
+  const Real phase = drive[Term::periods] * angle, sine = sin(phase), cosine = cos(phase);
+  return motor * (1 + drive[Term::ripple_sine] * sine + drive[Term::ripple_cosine] * cosine) +
+         drive[Term::cogging_sine] * sine + drive[Term::cogging_cosine] * cosine;
+}
+
+/// The torque of springs that act from an angle on.
+template <class Real>
+Real against_contacts(const Drive<Real>& drive, const Real& angle) {
+  Real against(0);
+  if (drive.has(Term::contact_above) && angle > drive[Term::above_from])
+    against = drive[Term::contact_above] * (angle - drive[Term::above_from]);
+  if (drive.has(Term::contact_below) && angle < drive[Term::below_from])
+    against = against + drive[Term::contact_below] * (angle - drive[Term::below_from]);
+  return against;
+}
 
 template <class Real>
 Forces<Real> forces_at(const Drive<Real>& drive, const Imposed<Real>& now, const Real& acting,
                        const Real& q) {
-  using std::sin;
-  const Real angle = joint_angle(drive, q) + drive[Term::zero];
+  using std::sin, std::cos;
+  constexpr double standard_gravity = 9.81;  // m/s^2
+  const Real at = joint_angle(drive, q), angle = at + drive[Term::zero];
   Real against = now.gravity * sin(angle);
+  if (drive.has(Term::base_motion))
+    against = against + drive[Term::base_motion] * (now.gravity * now.base_acceleration / standard_gravity) *
+                            cos(angle);
   if (drive.has(Term::load_mass)) against = (1 + drive[Term::load_mass]) * against;
   if (drive.has(Term::spring)) against = against + drive[Term::spring] * angle;
+  if (drive.has(Term::contact_above) || drive.has(Term::contact_below))
+    against = against + against_contacts(drive, angle);
   if (drive.has(Term::torque_offset)) against = against - drive[Term::torque_offset];
-  return {now.powered ? drive[Term::stall_torque] * now.supply * acting : Real(0), against,
-          drive[Term::viscous] + drive[now.powered ? Term::back_emf : Term::brake]};
+  const Real motor = now.powered ? drive[Term::stall_torque] * now.supply * acting : Real(0);
+  Forces<Real> forces{rippled(drive, motor, at), against,
+                      drive[Term::viscous] + drive[now.powered ? Term::back_emf : Term::brake]};
+  if (drive.has(Term::friction_warming)) {
+    forces.warm = 1 + now.warmer * drive[Term::friction_warming];
+    forces.damping = forces.damping + (forces.warm - 1) * drive[Term::viscous];
+  }
+  return forces;
 }
 
 /// Friction while sliding. A gear loses a share of the torque that passes it, another one by the direction in
@@ -33,8 +68,10 @@ Forces<Real> forces_at(const Drive<Real>& drive, const Imposed<Real>& now, const
 /// \param way     1 or -1
 /// \param speed   at the begin of the step
 /// \param passed  torque through the gear without the loss
+/// \param warm    factor by temperature
 template <class Real>
-Real friction_of(const Drive<Real>& drive, double way, const Real& speed, const Real& passed) {
+Real friction_of(const Drive<Real>& drive, double way, const Real& speed, const Real& passed,
+                 const Real& warm) {
   using std::abs, std::exp;
   Real friction = drive[Term::dry];
   if (drive.has(Term::direction)) friction = friction + way * drive[Term::direction];
@@ -43,6 +80,7 @@ Real friction_of(const Drive<Real>& drive, double way, const Real& speed, const 
   if (drive.has(Term::drag)) friction = friction + drive[Term::drag] * speed * speed;
   if (drive.has(Term::dry_rising))
     friction = friction + drive[Term::dry_rising] * exp(-(abs(speed) / drive[Term::rising_speed]));
+  if (drive.has(Term::friction_warming)) friction = warm * friction;
   return friction;
 }
 
@@ -61,7 +99,8 @@ Moved<Real> moved_rigid(const Drive<Real>& drive, const Real& load, const Forces
   const bool loses = drive.has(Term::loss_driving) || drive.has(Term::loss_driven);
   const Real passed = loses ? (f.against * drive[Term::armature] + f.motor * load) / inertia : Real(0);
   const auto slid = [&](double way, const Real& from, const auto& during) -> Real {
-    const Real force = push - way * friction_of(drive, way, from, passed), half = during / 2.0 * f.damping;
+    const Real force = push - way * friction_of(drive, way, from, passed, f.warm),
+               half = during / 2.0 * f.damping;
     return ((inertia - half) * from + during * force) / (inertia + half);
   };
   Real rest(h), before(0);  // what is left of the step, and the way until then over it
@@ -126,7 +165,7 @@ Speeds<Real> geared_speeds(const Drive<Real>& drive, const Gear<Real>& gear, con
     const Real inertia = gear.rotor + h / 2 * f.damping + share * gear.load;
     const double way = value_of(pushed) > 0 ? 1 : -1;
     const Real passed = at_rest + rising * (from.rotor - from.joint);
-    const Real sliding = (pushed - way * h * friction_of(drive, way, from.rotor, passed)) / inertia;
+    const Real sliding = (pushed - way * h * friction_of(drive, way, from.rotor, passed, f.warm)) / inertia;
     const Real rotor = value_of(sliding) * way > 0 ? sliding : Real(0);
     return {(joint_pushed + h * rising * rotor) / joint_inertia, rotor};
   };
@@ -135,6 +174,20 @@ Speeds<Real> geared_speeds(const Drive<Real>& drive, const Gear<Real>& gear, con
   const Speeds<Real> touching = moved(at_rest, rising);
   const bool pulls = side * value_of(at_rest + rising * (touching.rotor - touching.joint)) < 0;
   return pulls && value_of(gear.play) > 0 ? moved(Real(0), Real(0)) : touching;
+}
+
+/// The duty that the servo asks for at the middle of a step, where `next` has the angles and the reference.
+template <class Real>
+void ask(const Drive<Real>& drive, const Imposed<Real>& now, const Motion<Real>& from, Motion<Real>& next,
+         double h) {
+  const Real reading = next.reading(now.encoder), error = servo_error(drive, next.reference, reading);
+  Real speed(0), integral(0);
+  if (drive.has(Term::derivative_gain)) speed = from.speed(now.encoder) + h / 2 * from.speeding;
+  if (drive.has(Term::integral_gain)) {
+    integral = now.powered ? integrated(drive, from.integrated, error, h / 2) : Real(0);
+    next.integrated = integrated(drive, integral, error, h / 2);
+  }
+  next.asked = asked_duty(drive, now, error, reading, speed, integral);
 }
 
 /// The state a time h later.
@@ -149,7 +202,8 @@ Motion<Real> after(const Drive<Real>& drive, const Imposed<Real>& now, const Mot
   if (drive.has(Term::command_slowness))
     next.reference =
         from.reference + limited<Real>(now.command - from.reference, Real(h) / drive[Term::command_slowness]);
-  next.acting = asked_duty(drive, now.gain, next.reference, next.reading(now.encoder));
+  ask(drive, now, from, next, h);
+  next.acting = next.asked;
   if (drive.has(Term::drive_lag))
     next.acting = next.acting + (from.acting - next.acting) * exp(Real(-h) / drive[Term::drive_lag]);
   const Forces<Real> f = forces_at(drive, now, next.acting, next.q);
@@ -167,16 +221,21 @@ Motion<Real> after(const Drive<Real>& drive, const Imposed<Real>& now, const Mot
     next.v = encoder_angle(drive, moved.speed);
     next.q = from.q + h * encoder_angle(drive, moved.mean);
   }
+  if (drive.has(Term::derivative_gain))
+    next.speeding = (next.speed(now.encoder) - from.speed(now.encoder)) / h;
   return next;
 }
 
 /// The state of a joint whose encoder reads an angle and a speed, where the gear is at rest under the load.
+/// \param integrated  duty of the servo's integral part
 template <class Real>
 Motion<Real> begun(const Drive<Real>& drive, const Imposed<Real>& now, const Real& reading, const Real& v,
-                   double h) {
+                   const Real& integrated, double h) {
   Motion<Real> state{reading, v};
   state.reference = now.command;
-  state.acting = asked_duty(drive, now.gain, now.command, reading);
+  state.integrated = integrated;
+  state.asked = asked_duty(drive, now, servo_error(drive, now.command, reading), reading, v, integrated);
+  state.acting = state.asked;
   if (!drive.gives_way()) return state;
   const Real load = now.inertia * (1 + drive[Term::load_mass]);
   const Forces<Real> f = forces_at(drive, now, state.acting, reading);

@@ -1,6 +1,9 @@
 #include "diagnose/report/calibration_text.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <array>
 
 #include "diagnose/bench/roll_pitch_yaw.hpp"
 #include "diagnose/report/view.hpp"
@@ -10,11 +13,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// "0.14 mm"; of several kinds of channels "0.14 mm, 0.2 mrad"
 std::string left(const LeftOfPoses& one) {
-  std::string text;
-  if (one.place > 0) text += fmt::format("{:.3g} mm", 1e3 * one.place);
-  if (one.turn > 0) text += fmt::format("{}{:.3g} mrad", text.empty() ? "" : ", ", 1e3 * one.turn);
-  return text;
+  std::vector<std::string> words;
+  for (const ChannelKind& kind : channel_kinds)
+    if (const double rms = one.of(kind.name); rms > 0)
+      words.push_back(kind.sensor == Sensor::pixel ? fmt::format("{:.3g} px", rms)
+                                                   : fmt::format("{:.3g} m{}", 1e3 * rms, unit(kind.sensor)));
+  return fmt::format("{}", fmt::join(words, ", "));
 }
 
 /// "zeros of 10 mrad", "gear ratios of 0.02 %"
@@ -36,21 +42,29 @@ std::string vector_in_words(const Vector3<double>& one, double factor, const cha
 /// Half the width of a 95 % interval over the standard deviation.
 constexpr double bounds = 1.96;
 
+/// Nothing where no reading shows it.
 std::string frame_in_words(const SolvedFrame& one) {
-  std::string text = fmt::format(
-      "  {} {}: {} ± {}", one.name == "tracker" ? "base of the arm for the" : "point", one.name,
-      vector_in_words(one.at.translation(), 1e3, "mm"), vector_in_words(one.shift, bounds * 1e3, "mm"));
+  static constexpr std::array kinds{"base of the arm for the", "point", "sensor"};
+  std::vector<std::string> words;
+  if (!one.shift.isZero(0))
+    words.push_back(fmt::format("{} ± {}", vector_in_words(one.at.translation(), 1e3, "mm"),
+                                vector_in_words(one.shift, bounds * 1e3, "mm")));
   if (!one.turn.isZero(0))
-    text += fmt::format(", turned by {} ± {}",
-                        vector_in_words(roll_pitch_yaw(one.at.linear()), 1, "rad (roll, pitch, yaw)"),
-                        vector_in_words(one.turn, bounds * 1e3, "mrad"));
-  return text + "\n";
+    words.push_back(fmt::format("turned by {} ± {}",
+                                vector_in_words(roll_pitch_yaw(one.at.linear()), 1, "rad (roll, pitch, yaw)"),
+                                vector_in_words(one.turn, bounds * 1e3, "mrad")));
+  if (one.focal_length > 0)
+    words.push_back(
+        fmt::format("focal length {:.6g} ± {:.2g} px", one.focal_length, bounds * one.focal_length_sd));
+  if (words.empty()) return "";
+  return fmt::format("  {} {}: {}\n", kinds.at(static_cast<std::size_t>(one.of)), one.name,
+                     fmt::join(words, ", "));
 }
 
 Json left_as_json(const LeftOfPoses& one) {
   Json result = Json::object();
-  if (one.place > 0) result["place"] = one.place;
-  if (one.turn > 0) result["turn"] = one.turn;
+  for (const ChannelKind& kind : channel_kinds)
+    if (const double rms = one.of(kind.name); rms > 0) result[std::string(kind.noise_key)] = rms;
   return result;
 }
 
@@ -83,12 +97,16 @@ std::string calibration_as_text(const Calibration& of) {
 
 Json calibration_as_json(const Calibration& of) {
   Json frames = Json::array(), sizes = Json::array(), beside = Json::array();
-  for (const SolvedFrame& one : of.frames)
+  for (const SolvedFrame& one : of.frames) {
     frames.push_back({{"name", one.name},
                       {"xyz", numbers(one.at.translation())},
                       {"rpy", numbers(roll_pitch_yaw(one.at.linear()))},
                       {"xyz_sd", numbers(one.shift)},
                       {"turn_sd", numbers(one.turn)}});
+    if (one.focal_length > 0)
+      frames.back()["focal_length"] = one.focal_length,
+      frames.back()["focal_length_sd"] = one.focal_length_sd;
+  }
   for (const LearnedSize& one : of.sizes)
     sizes.push_back({{"effect", one.effect.effect->id}, {"sd", one.size}, {"unit", one.unit}});
   for (const NominalEffect& one : of.beside)

@@ -234,6 +234,7 @@ Json as_json(const Diagnosis& diagnosis) {
                  {"next", next(diagnosis.proposals)}};
   if (diagnosis.law) report["law"] = law_as_json(*diagnosis.law);
   if (diagnosis.calibration) report["calibration"] = calibration_as_json(*diagnosis.calibration);
+  if (diagnosis.assumed_density > 0) report["assumed_density"] = diagnosis.assumed_density;
   if (!diagnosis.joints.empty()) report["joint_names"] = diagnosis.joints;
   return report;
 }

@@ -100,9 +100,15 @@ std::string outliers_in_words(const std::vector<Outlier>& outliers) {
 }
 
 std::string noise_as_text(const Diagnosis& diagnosis) {
-  return fmt::format("  noise over declared: {}; autocorrelation of successive readings: {}\n",
-                     noise_scales(diagnosis.noise), by_name(diagnosis.noise, &ChannelNoise::correlation)) +
-         departures(diagnosis.gap, diagnosis.noise.shape) + outlier_lines(diagnosis.gap.outliers);
+  // Readings without a clock have none.
+  const std::vector<ChannelNoise>& channels = diagnosis.noise.channels;
+  const bool timed = std::any_of(channels.begin(), channels.end(),
+                                 [](const ChannelNoise& one) { return one.correlation != 0; });
+  return fmt::format("  noise over declared: {}", noise_scales(diagnosis.noise)) +
+         (timed ? fmt::format("; autocorrelation of successive readings: {}",
+                              by_name(diagnosis.noise, &ChannelNoise::correlation))
+                : "") +
+         "\n" + departures(diagnosis.gap, diagnosis.noise.shape) + outlier_lines(diagnosis.gap.outliers);
 }
 
 }  // namespace plumbline::diagnose

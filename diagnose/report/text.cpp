@@ -308,6 +308,9 @@ std::string headline(const Diagnosis& diagnosis) {
   if (diagnosis.calibration)
     text += fmt::format("  calibration removes {}{}\n", tolerances_in_words(*diagnosis.calibration),
                         diagnosis.gap.present ? " beside it" : "");
+  if (diagnosis.assumed_density > 0)
+    text += fmt::format("  the model has no masses: compliances are told for links of {:g} kg/m\n",
+                        diagnosis.assumed_density);
   if (const auto& shrink = diagnosis.shrink; shrink && shrink->tested() && shrink->ratio < 1)
     text += fmt::format("  {} leaves {} of the held-out residual; noise alone {}\n", tested_model(diagnosis),
                         precise_percent(shrink->ratio), precise_percent(shrink->noise_floor_ratio));

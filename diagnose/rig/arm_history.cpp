@@ -120,7 +120,9 @@ class ArmWalk {
 }  // namespace
 
 Eigen::Index columns_of_arm(const Experiment& experiment) {
-  return Channel(Channel::Name::place, 3 * experiment.arm_bench.points.size(), experiment.arm->arm.size())
+  const ArmBench& bench = experiment.arm_bench;
+  return Channel::of_sensor(Channel::Name::distance, bench.sensors.size(), 0, experiment.arm->arm.size(),
+                            bench.points.size())
       .column;
 }
 

@@ -11,6 +11,7 @@ ArmRig ArmRig::nominal(const Experiment& experiment) {
   rig.arm = experiment.arm->arm;
   for (const MeasuredPoint& point : experiment.arm_bench.points) rig.points.push_back(point.at);
   rig.load = experiment.arm_bench.load;
+  rig.sensors = experiment.arm_bench.sensors;
   return rig;
 }
 
@@ -19,6 +20,12 @@ Vector3<double> ArmRig::tool_turn(const Vector3<double>& moment) const {
   if (const double size = moment.norm(); size > 0) turn += tool_play / size * moment;
   if (const double side = moment.dot(tool_hinge); side != 0) turn += std::copysign(1.0, side) * tool_hinge;
   return turn;
+}
+
+void ArmRig::read_sensors(const std::vector<Pose<double>>& of_points, Eigen::Ref<Eigen::ArrayXd> row) const {
+  for (std::size_t s = 0; s < sensors.size(); ++s)
+    row.segment<2>(sensors[s].channel(s, 0, arm.size(), of_points.size()).column) =
+        sensors[s].of(of_points[sensors[s].point]).array();
 }
 
 void ArmRig::bend(std::size_t link, double flexibility) {
@@ -35,7 +42,7 @@ void add_mass(ArmLink<double>& link, double added, const Vector3<double>& at) {
 bool operator==(const ArmRig& a, const ArmRig& b) {
   const auto plain = [](const ArmRig& r) {
     return std::tie(r.arm, r.expansion, r.mount_compliance, r.tool_compliance, r.tool_play, r.tool_hinge,
-                    r.points, r.load);
+                    r.points, r.load, r.sensors);
   };
   return plain(a) == plain(b);
 }

@@ -24,12 +24,15 @@ struct ArmRig {
 
   std::vector<OnLink<double>> points;  ///< of the bench, with their errors
   OnLink<double> load{0};
+  std::vector<ArmSensor> sensors;  ///< beside the tracker, with their errors
 
   /// The arm and the bench of an experiment, without any error.
   static ArmRig nominal(const Experiment& experiment);
   /// Rotation vector of the tool in the axes of the last link.
   /// \param moment  on the tool, in these axes, N m
   [[nodiscard]] Vector3<double> tool_turn(const Vector3<double>& moment) const;
+  /// What its sensors read of points with these poses in the world, into their columns.
+  void read_sensors(const std::vector<Pose<double>>& of_points, Eigen::Ref<Eigen::ArrayXd> row) const;
   /// Lets a link bend and twist as a round tube. \param flexibility  1/EI, 1/(N m^2)
   void bend(std::size_t link, double flexibility);
   friend bool operator==(const ArmRig& a, const ArmRig& b);

@@ -377,18 +377,15 @@ void ArmTraveller::write(Eigen::Ref<Eigen::ArrayXd> row, const std::vector<Eigen
     row(Channel(Channel::Name::q, i).column) =
         coordinate_(joint_[i]) - on_.rig.encoder[i].off(on_.command[i]);
   }
+  std::vector<Pose<double>> seen;
   for (std::size_t p = 0; p < rig.points.size(); ++p) {
-    const Pose<double> seen = camera * of(rig.points[p], tipped);
-    const Vector3<double> place = on_.rig.seen(seen.translation());
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      row(Channel(Channel::Name::place, 3 * p + axis, arm_.size()).column) =
-          place(static_cast<Eigen::Index>(axis));
-    if (!reads(Channel(Channel::Name::turn, 3 * p, arm_.size()))) continue;
-    const Vector3<double> turn = rotation_vector<double>(told[p].transpose() * seen.linear());
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      row(Channel(Channel::Name::turn, 3 * p + axis, arm_.size()).column) =
-          turn(static_cast<Eigen::Index>(axis));
+    seen.push_back(camera * of(rig.points[p], tipped));
+    row.segment<3>(Channel(Channel::Name::place, 3 * p, arm_.size()).column) =
+        on_.rig.seen(seen[p].translation()).array();
+    if (const Channel turn(Channel::Name::turn, 3 * p, arm_.size()); reads(turn))
+      row.segment<3>(turn.column) = rotation_vector<double>(told[p].transpose() * seen[p].linear()).array();
   }
+  rig.read_sensors(seen, row);
   if (!reads(Channel(Channel::Name::drive, 0, arm_.size()))) return;
   const Vector<double> force = forces(ArmPosture<double>(arm_, coordinate_), coordinate_);
   for (std::size_t i = 0; i < joint_.size(); ++i)

@@ -41,6 +41,7 @@ Rig without_effects(const Experiment& experiment) {
   rig.sliders.resize(n);
   rig.balance.assign(n, Vector2::Zero());
   rig.command_scale.assign(n, 0);
+  rig.gear_coupling.assign(n, 0);
   rig.encoder.resize(n);
   rig.drive.drift.assign(n, 0);
   for (const Point<double>& weight : weights(experiment)) rig.weight.emplace_back(weight.x, weight.y);

@@ -94,6 +94,7 @@ struct Rig {
   // The drives of the joints, and what reads them.
   Drive drive;                        ///< of what drives impose
   std::vector<double> command_scale;  ///< g: a joint is led to 1 + g times its command
+  std::vector<double> gear_coupling;  ///< share of the command of the joint before by which it turns too
   std::vector<Encoder> encoder;       ///< by which a servo leads it; the angles read are theirs
   double compensated = 0;  ///< share of the nominal torque of gravity that they hold without yielding
 

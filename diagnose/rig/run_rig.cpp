@@ -107,7 +107,8 @@ void RunRig::turn_to(const std::vector<double>& commanded_rest) {
   command = commanded_rest;
   rest_orientation = 0;
   for (std::size_t i = 0; i < joint.size(); ++i) {
-    const double led = (1 + rig.command_scale[i]) * commanded_rest[i];
+    double led = (1 + rig.command_scale[i]) * commanded_rest[i];
+    if (rig.gear_coupling[i] != 0) led += rig.gear_coupling[i] * commanded_rest[i - 1];
     joint[i].rest = led * std::exp(-rig.capstan * static_cast<double>(i)) + rig.rest_error[i] +
                     rig.encoder[i].off(commanded_rest[i]);
     rest_orientation += joint[i].rest;

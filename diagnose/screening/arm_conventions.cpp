@@ -36,14 +36,13 @@ std::function<void(Experiment&)> in_each_command(std::function<void(std::vector<
 }
 
 std::function<void(Experiment&)> in_each_place(std::function<void(double*)> change) {
-  return in_each_reading([change = std::move(change)](Reading& reading) {
-    const std::size_t joints = reading.rest.size();
-    for (std::size_t p = 0;; ++p) {
-      const auto first = static_cast<std::size_t>(Channel(Channel::Name::place, 3 * p, joints).column);
-      if (first >= reading.value.size()) return;
-      change(reading.value.data() + first);
+  return [change = std::move(change)](Experiment& experiment) {
+    for (std::size_t p = 0; p < experiment.arm_bench.points.size(); ++p) {
+      const Channel last(Channel::Name::place, 3 * p + 2, experiment.arm->arm.size());
+      for (Run& run : experiment.runs)
+        for (Reading& reading : run.readings) change(&last.in(reading)-2);
     }
-  });
+  };
 }
 
 std::function<void(Experiment&)> places_times(double factor) {
@@ -179,6 +178,7 @@ Experiment marked(Experiment experiment) {
       marks.back().at.frame.translation() = at;
     }
   experiment.arm_bench.points = std::move(marks);
+  experiment.arm_bench.sensors.clear();
   return experiment;
 }
 

@@ -143,7 +143,10 @@ void require_noise(const Run& run, const Noise& noise) {
 std::pair<double, std::string_view> usual_size(const Experiment& experiment, Sensor sensor, double reach) {
   switch (sensor) {
     case Sensor::position:
+    case Sensor::distance:
       return {reach, "the length of the chain"};
+    case Sensor::pixel:
+      return {1, "a pixel"};
     case Sensor::angle:
     case Sensor::orientation:
       return {1, "a radian"};

@@ -63,7 +63,8 @@ EXPERIMENT = {
 SAMPLES = "t,x,y,Fx,Fy,q1,q2,T,Gx,Gy,tension,P,L1,L2\n0,9,0,0,0,0,0,20,0,0,0,0,0,0\n1,9,0,0,0,0,0,20,0,0,1,1,0,0\n"
 # Where a unit of the kind can stand, and what makes it one.
 UNITS = {"length": ("link_length", ""), "torque": ("joint_stiffness", "/rad"), "mass": ("link_mass", ""),
-         "angle": ("rest", ""), "force": ("joint_stiffness", " m/rad"), "pressure": ("joint_stiffness", " m^3/rad"), "duration": ("gravity", "^2")}
+         "angle": ("rest", ""), "force": ("joint_stiffness", " m/rad"), "pressure": ("joint_stiffness", " m^3/rad"), "duration": ("gravity", "^2"),
+         "picture": ("link_length", " m/px")}
 
 
 def toml(value):
@@ -145,14 +146,14 @@ def units(folder):
 
 
 def repository_experiments():
-    chains, arms, motions = (Draft202012Validator(schema_of(name)) for name in ("experiment", "arm-experiment", "motion-experiment"))
+    chains, arms = (Draft202012Validator(schema_of(name)) for name in ("experiment", "arm-experiment"))
     found = [path for path in ROOT.glob("**/experiment.toml") if not path.relative_to(ROOT).parts[0].startswith("build")]
     assert found
     labels = Draft202012Validator(schema_of("label"))
     for path in found:
         settings = tomllib.loads(path.read_text(encoding="utf-8"))
-        if settings["format"] == "motion/1":
-            motions.validate(settings)
+        if settings["format"] in ("motion/1", "torque/1"):
+            Draft202012Validator(schema_of(settings["format"].replace("/1", "-experiment"))).validate(settings)
             continue
         (arms if "arm" in settings else chains).validate(settings)
         if (path.parent / "label.json").exists():
@@ -160,18 +161,22 @@ def repository_experiments():
 
 
 def motions(folder):
-    """Each table of a log of motion refuses a key of its own, and names those of the schema."""
-    schema = schema_of("motion-experiment")
-    settings = tomllib.loads((ROOT / "docs/examples/servo-log/experiment.toml").read_text(encoding="utf-8"))
+    """Each table of a log of motion, and of one of torques, refuses a key of its own, and names those of the schema."""
     shutil.copytree(ROOT / "docs/examples/servo-log", folder / "servo-log")
-    for table in (None, *(key for key, node in schema["properties"].items() if "properties" in node)):
-        copy = json.loads(json.dumps(settings))
-        (copy if table is None else copy.setdefault(table, {})).update(zz=1)
-        (folder / "servo-log" / "experiment.toml").write_text(toml_file(copy), encoding="utf-8")
-        node = schema if table is None else schema["properties"][table]
-        fault = complaint("diagnose", "servo-log", folder=folder)
-        known = re.search(r"an unknown key, expected one of (.*)", fault)
-        assert known and set(known[1].split()) == set(node["properties"]), f"{table}: {fault}"
+    servo = tomllib.loads((ROOT / "docs/examples/servo-log/experiment.toml").read_text(encoding="utf-8"))
+    torques = {"format": "torque/1", "name": "torques", "model": {"file": "servo.xml"}, "logs": {"files": ["a.csv"]},
+               "columns": {"position": ["q"], "torque": ["tau"]}}
+    for name, settings in (("motion-experiment", servo), ("torque-experiment", torques)):
+        schema = schema_of(name)
+        Draft202012Validator(schema).validate(settings)
+        for table in (None, *(key for key, node in schema["properties"].items() if "properties" in node)):
+            copy = json.loads(json.dumps(settings))
+            (copy if table is None else copy.setdefault(table, {})).update(zz=1)
+            (folder / "servo-log" / "experiment.toml").write_text(toml_file(copy), encoding="utf-8")
+            node = schema if table is None else schema["properties"][table]
+            fault = complaint("diagnose", "servo-log", folder=folder)
+            known = re.search(r"an unknown key, expected one of (.*)", fault)
+            assert known and set(known[1].split()) == set(node["properties"]), f"{name} {table}: {fault}"
 
 
 def chains(folder):

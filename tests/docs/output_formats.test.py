@@ -224,6 +224,9 @@ def motions(folder):
     settings = settings.replace('gain = "gain"', "gain = 16").replace("[noise]\n", "[noise]\nduty = 0.01\n")
     (place / "experiment.toml").write_text(settings, encoding="utf-8")
     hold("motion-report", [written("diagnose", "servo-log", folder=folder)])
+    settings = settings.replace('"unknown"', "0.05").replace("[noise]", "[[motion]]\nkind = \"ramp\"\nsize = 0.6\n\n[noise]")
+    (place / "experiment.toml").write_text(settings, encoding="utf-8")
+    hold("motion-plan", [written("diagnose", "servo-log", "--plan", folder=folder)])
     hold("torque-report", [written("diagnose", str(pendulum(folder)), folder=folder)])
 
 

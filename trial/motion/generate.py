@@ -13,7 +13,7 @@ import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 
-from draw import SAME, drawn  # noqa: E402
+from draw import PERIODS, SAME, drawn  # noqa: E402
 from rig import follow  # noqa: E402
 from sealing import new_folders, sealed, write_seals  # noqa: E402
 
@@ -27,6 +27,7 @@ def settings(name, nominal, unknown, sigma):
              "encoder_zero": nominal.zero}
     load = f"mass = {nominal.mass:.9g}\nlength = {nominal.length:.9g}" if nominal.hangs else f"inertia = {nominal.inertia:.9g}"
     lines = [f'{key} = "unknown"' if key in unknown else f"{key} = {value:.9g}" for key, value in drive.items()]
+    lines.append(f"periods_per_turn = {list(PERIODS)}")
     return (f'format = "motion/1"\nname = "{name}"\n\n[logs]\nindex = "index.csv"\nfit = {{ role = ["fit"] }}\nheld_out = {{ role = ["held out"] }}\n\n'
             f'[servo]\ngain = "gain"\n\n[load]\n{load}\n\n[drive]\n' + "\n".join(lines) + f"\n\n[noise]\nposition = {sigma:.6g}\n")
 

@@ -49,12 +49,15 @@ class Rig:
     drag: float = 0.0
     loss: float = 0.0
     one_way: float = 0.0
-    # outside of the catalogue
+    derivative: float = 0.0  # duty over the speed of the reading
+    integral: float = 0.0  # duty over the integral of the error
+    gravity_forward: float = 0.0  # share of the weight that the model has
+    contact: tuple = (0.0, 0.0)  # stiffness, and the angle from which it acts: upward, or downward where it is negative
     cogging: tuple = (0.0, 1.0)
+    ripple: tuple = (0.0, 1.0)  # of the motor's own torque
+    # outside of the catalogue
     shaking: tuple = (0.0, 1.0)
-    stop: float = math.inf
     fading: float = 0.0
-    derivative: float = 0.0
 
     @property
     def inertia(self):
@@ -95,25 +98,28 @@ class Servo:
         self.rig, self.gain = rig, gain
         # A torque of MuJoCo's step acts from half a step before it: half of it is that of the command before.
         self.past = [first] * (1 + round(rig.delay / STEP))
-        self.reference, self.acting, self.last = first, None, None
+        self.reference, self.acting = first, None
+        self.speed, self.integrated = 0.0, 0.0
 
-    def duty(self, reference, reading):
+    def duty(self, reference, reading, speed):
+        """Half a step of the servo."""
         rig = self.rig
         error = (1 + rig.command_scale) * reference + rig.command_offset - reading
         error -= max(-rig.dead_band, min(rig.dead_band, error))
-        duty = self.gain * error
-        if self.last is not None:
-            duty -= rig.derivative * (reading - self.last) / STEP
+        self.integrated = max(-1, min(1, self.integrated + STEP / 2 * rig.integral * error))
+        duty = self.gain * error - rig.derivative * speed + self.integrated
+        if rig.gravity_forward and rig.hangs:
+            duty += rig.gravity_forward * rig.mass * GRAVITY * rig.length * math.sin(reading) / rig.stall
         return max(-rig.duty_limit, min(rig.duty_limit, duty))
 
-    def torque(self, command, reading, t):
+    def torque(self, command, reading, speed, t):
         rig = self.rig
         self.past.append(command)
         duty, most = 0.0, rig.speed_limit * STEP / 2
         for late in (self.past.pop(0), self.past[0]):
             self.reference += max(-most, min(most, late - self.reference))
-            duty += self.duty(self.reference, reading) / 2
-        self.last = reading
+            duty += self.duty(self.reference, reading, 1.5 * speed - 0.5 * self.speed) / 2  # the speed at the middle of the step
+        self.speed = speed
         share = 1 if rig.lag == 0 or self.acting is None else 1 - math.exp(-STEP / rig.lag)
         self.acting = duty if self.acting is None else self.acting + share * (duty - self.acting)
         return rig.stall * (1 - rig.fading * t) * self.acting
@@ -127,7 +133,8 @@ def beside(rig, angle, speed, motor):
         weight = rig.mass * GRAVITY * rig.length * math.sin(angle + rig.zero) if rig.hangs else 0.0
         passed = (weight * rig.armature + motor * rig.inertia) / (rig.inertia + rig.armature)
         friction += way * rig.loss * abs(passed)
-    return -friction + rig.offset + rig.cogging[0] * math.sin(rig.cogging[1] * angle)
+    wave = rig.cogging[0] * math.sin(rig.cogging[1] * angle) + motor * rig.ripple[0] * math.sin(rig.ripple[1] * angle)
+    return -friction + rig.offset + wave
 
 
 def follow(rig, gain, command, duration, rate, generator, quantum, sigma):
@@ -147,11 +154,12 @@ def follow(rig, gain, command, duration, rate, generator, quantum, sigma):
             sent = command(t)
             noisy = reading + generator.normal(0, sigma)
             rows.append((t / (1 + rig.clock), sent, round(noisy / quantum) * quantum))
-        motor = servo.torque(sent, reading, t)
+        motor = servo.torque(sent, reading, sum(data.qvel) / (1 + rig.encoder_scale), t)
         data.qfrc_applied[0] = motor + beside(rig, data.qpos[0], data.qvel[0], motor)
         load = rig.shaking[0] * math.sin(rig.shaking[1] * t)
-        if joint > rig.stop:
-            load -= 20.0 * (joint - rig.stop)
+        stiffness, begin = rig.contact
+        if begin * joint > begin * begin:
+            load -= stiffness * (joint - begin)
         data.qfrc_applied[1 if geared else 0] += load
         if geared:
             data.qfrc_applied[0] += load  # what turns the joint turns the rotor's coordinate with it

@@ -3,94 +3,17 @@
 #include <fmt/format.h>
 
 #include <Eigen/Cholesky>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <plumbline/base/error.hpp>
 #include <plumbline/base/parallel.hpp>
 
+#include "diagnose/exchange/physical_body.hpp"
+
 namespace plumbline::motion {
 namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
-
-/// The mean of both sides, and the blocks of the intervals, s.
-constexpr double mean_of_balance = 0.1, block_duration = 0.5;
-
-/// Half the window of derivatives, s: of seven readings at least.
-double half_window_of(const TorqueLog& log) {
-  const double step = (log.time.back() - log.time.front()) / static_cast<double>(log.time.size() - 1);
-  return std::max(0.05, 4 * step);
-}
-
-/// Angle, speed and acceleration at one time.
-struct Derivatives {
-  VectorXd q, v, a;
-};
-
-/// The polynomial of the fourth degree through the readings within half a window.
-Derivatives derivatives_at(const TorqueLog& log, double half_window, double t) {
-  const auto first = std::lower_bound(log.time.begin(), log.time.end(), t - half_window) - log.time.begin();
-  const auto end = std::upper_bound(log.time.begin(), log.time.end(), t + half_window) - log.time.begin();
-  constexpr Index powers = 5;
-  const Index n = end - first;
-  MatrixXd design(n, powers);
-  for (Index k = 0; k < n; ++k) {
-    const double x = (log.time[static_cast<std::size_t>(first + k)] - t) / half_window;
-    for (Index p = 0; p < powers; ++p) design(k, p) = std::pow(x, p);
-  }
-  const MatrixXd found = design.colPivHouseholderQr().solve(log.angle.middleRows(first, n));
-  return {found.row(0).transpose(), found.row(1).transpose() / half_window,
-          2 * found.row(2).transpose() / (half_window * half_window)};
-}
-
-/// Torques between readings, each joint's a column.
-VectorXd torque_at(const TorqueLog& log, double t) {
-  const auto after = std::upper_bound(log.time.begin() + 1, log.time.end() - 1, t) - log.time.begin();
-  const double t0 = log.time[static_cast<std::size_t>(after - 1)],
-               t1 = log.time[static_cast<std::size_t>(after)];
-  const double share = std::clamp((t - t0) / (t1 - t0), 0.0, 1.0);
-  return (1 - share) * log.torque.row(after - 1).transpose() + share * log.torque.row(after).transpose();
-}
-
-/// Means of the balance over stretches of a log: columns, and torques for each lead that is tried.
-struct Stretches {
-  std::vector<double> time;
-  std::vector<MatrixXd> columns;              ///< joints by terms
-  std::vector<std::vector<VectorXd>> torque;  ///< by lead, then by stretch
-};
-
-const std::vector<double>& leads() {
-  static const std::vector<double> all = [] {
-    std::vector<double> some;
-    for (int ms = -20; ms <= 20; ms += 2) some.push_back(1e-3 * ms);
-    return some;
-  }();
-  return all;
-}
-
-Stretches stretches_of(const diagnose::NominalArm& arm, const TorqueLog& log) {
-  constexpr int points = 10;  // of a mean
-  Stretches all;
-  all.torque.resize(leads().size());
-  const double half_window = half_window_of(log);
-  const double first = log.time.front() + half_window + leads().back(),
-               last = log.time.back() - half_window - leads().back();
-  for (double begin = first; begin + mean_of_balance <= last; begin += mean_of_balance) {
-    all.time.push_back(begin);
-    all.columns.emplace_back();
-    for (std::vector<VectorXd>& one : all.torque) one.emplace_back(VectorXd::Zero(log.torque.cols()));
-    for (int i = 0; i < points; ++i) {
-      const double t = begin + (i + 0.5) / points * mean_of_balance;
-      const Derivatives at = derivatives_at(log, half_window, t);
-      const MatrixXd columns = balance_columns(arm, at.q, at.v, at.a) / points;
-      all.columns.back() = i == 0 ? columns : MatrixXd(all.columns.back() + columns);
-      for (std::size_t l = 0; l < leads().size(); ++l)
-        all.torque[l].back() += torque_at(log, t - leads()[l]) / points;
-    }
-  }
-  return all;
-}
 
 /// The terms that the motions determine, and how the others stand in them.
 struct Basis {
@@ -142,6 +65,9 @@ class Regression {
       throw Error(bench.name, "no motion that determines a number", "joints that move");
   }
   [[nodiscard]] const Basis& basis() const { return basis_; }
+  [[nodiscard]] const std::vector<Stretches>& logs() const { return logs_; }
+  /// Of a square, by joint.
+  [[nodiscard]] const VectorXd& weight() const { return weight_; }
 
   /// The lead with which least is left; the joints then weigh by what is left of them.
   std::size_t settle() {
@@ -251,17 +177,18 @@ TorqueLeft left_of(const diagnose::NominalArm& arm, const TorqueLog& log, bool h
   return {log.name, held_out, root(whole), root(model), root(rest)};
 }
 
-/// What the model's masses weigh as points at their centres: the inertias that their first moments imply.
-VectorXd with_point_inertias(const diagnose::NominalArm& arm, VectorXd stated) {
-  for (std::size_t i = 0; i < arm.arm.size(); ++i) {
-    const Eigen::Vector3d c = arm.arm.links[i].centre;
-    const Eigen::Matrix3d inertia =
-        arm.arm.links[i].mass * (c.squaredNorm() * Eigen::Matrix3d::Identity() - c * c.transpose());
-    const auto at = static_cast<Index>(10 * i + 4);
-    stated.segment(at, 6) << inertia(0, 0), inertia(1, 1), inertia(2, 2), inertia(0, 1), inertia(0, 2),
-        inertia(1, 2);
+/// What a model says of its links that no body can be.
+std::vector<std::string> contradictions_in(const TorqueBench& bench) {
+  std::vector<std::string> all;
+  for (std::size_t i = 0; i < bench.arm.arm.size(); ++i) {
+    const ArmLink<double>& link = bench.arm.arm.links[i];
+    const Eigen::Vector3d c = link.centre;
+    const Eigen::Matrix3d about_centre =
+        bench.inertia[i] - link.mass * (c.squaredNorm() * Eigen::Matrix3d::Identity() - c * c.transpose());
+    if (const std::string words = exchange::impossible_inertia(about_centre); !words.empty())
+      all.push_back(fmt::format("{} has {}", bench.arm.link[i], words));
   }
-  return stated;
+  return all;
 }
 
 }  // namespace
@@ -273,7 +200,7 @@ Balance balance_of(const TorqueBench& bench) {
   const MatrixXd covariance = regression.covariance(solution, lead);
   const Basis& basis = regression.basis();
   const std::vector<BalanceTerm> terms = balance_terms(bench.arm.arm.size());
-  const VectorXd stated = with_point_inertias(bench.arm, stated_terms(bench.arm));
+  const VectorXd stated = stated_terms(bench.arm, bench.inertia);
   Balance result;
   result.name = bench.name;
   result.lead = leads()[lead];
@@ -291,6 +218,8 @@ Balance balance_of(const TorqueBench& bench) {
       result.left.push_back(left_of(bench.arm, log, held_out, lead, stated, found));
       ++result.logs, result.readings += log.time.size();
     }
+  result.causes = balance_causes(bench.arm, regression.logs(), lead, stated, regression.weight());
+  result.contradictions = contradictions_in(bench);
   return result;
 }
 

@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "diagnose/motion/balance/balance_causes.hpp"
 #include "diagnose/motion/balance/balance_terms.hpp"
 #include "diagnose/motion/balance/torque_log.hpp"
 
@@ -15,7 +16,7 @@ struct BalanceNumber {
   std::string name;  ///< "Izz(1) + 0.09 m(2)"
   std::string unit;
   double value, low, high;  ///< with the 95 % interval
-  double stated;            ///< by the model; of inertias that of its masses at their centres
+  double stated;            ///< by the model
 };
 
 /// Torque that is left at a joint, root mean square, N m.
@@ -32,6 +33,8 @@ struct Balance {
   double lead = 0;  ///< of the torque ahead of the motion, s
   std::vector<BalanceNumber> numbers;
   std::vector<TorqueLeft> left;
+  std::vector<BalanceCause> causes;         ///< single changes of the model, most probable first
+  std::vector<std::string> contradictions;  ///< of the model's own numbers
 };
 
 /// Angles are differentiated by polynomials of the fourth degree over neighbouring readings; both sides of

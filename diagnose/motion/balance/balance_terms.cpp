@@ -12,6 +12,7 @@ using Eigen::Index, Eigen::Matrix3d, Eigen::Vector3d;
 
 constexpr std::array of_link{"m", "mx", "my", "mz", "Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz"};
 constexpr std::array of_joint{"armature", "viscous friction", "dry friction", "offset"};
+static_assert(std::ssize(of_link) == terms_of_link && std::ssize(of_joint) == terms_of_joint);
 
 /// A link of mass one, its centre here, and no inertia about the origin of its frame. No body is like that,
 /// and the equations do not mind.
@@ -76,7 +77,7 @@ Eigen::MatrixXd balance_columns(const diagnose::NominalArm& arm, const Eigen::Ve
   return columns;
 }
 
-Eigen::VectorXd stated_terms(const diagnose::NominalArm& arm) {
+Eigen::VectorXd stated_terms(const diagnose::NominalArm& arm, const std::vector<Matrix3d>& inertia) {
   const auto per_link = static_cast<Index>(of_link.size());
   const auto n = static_cast<Index>(arm.arm.size());
   Eigen::VectorXd stated = Eigen::VectorXd::Zero(n * (per_link + static_cast<Index>(of_joint.size())));
@@ -84,6 +85,8 @@ Eigen::VectorXd stated_terms(const diagnose::NominalArm& arm) {
     const ArmLink<double>& link = arm.arm.links[static_cast<std::size_t>(i)];
     stated(per_link * i) = link.mass;
     stated.segment(per_link * i + 1, 3) = link.mass * link.centre;
+    const Matrix3d& own = inertia[static_cast<std::size_t>(i)];
+    stated.segment(per_link * i + 4, 6) << own(0, 0), own(1, 1), own(2, 2), own(0, 1), own(0, 2), own(1, 2);
   }
   return stated;
 }

@@ -2,12 +2,15 @@
 /// \file
 /// The torque of an arm's drives, linear in its inertias and frictions.
 
+#include <Eigen/Core>
 #include <string>
 #include <vector>
 
 #include "diagnose/bench/nominal_arm.hpp"
 
 namespace plumbline::motion {
+
+inline constexpr Eigen::Index terms_of_link = 10, terms_of_joint = 4;
 
 /// A number that the torque is linear in.
 struct BalanceTerm {
@@ -24,7 +27,8 @@ std::vector<BalanceTerm> balance_terms(std::size_t joints);
 Eigen::MatrixXd balance_columns(const diagnose::NominalArm& arm, const Eigen::VectorXd& q,
                                 const Eigen::VectorXd& v, const Eigen::VectorXd& a);
 
-/// Masses and first moments that a model states; zero for all else.
-Eigen::VectorXd stated_terms(const diagnose::NominalArm& arm);
+/// Masses, first moments and inertias that a model states; zero for all else.
+/// \param inertia  by link, about the origin of its frame, kg m^2
+Eigen::VectorXd stated_terms(const diagnose::NominalArm& arm, const std::vector<Eigen::Matrix3d>& inertia);
 
 }  // namespace plumbline::motion

@@ -77,8 +77,9 @@ TorqueBench read_torque_bench(const std::filesystem::path& folder) {
   };
   TorqueBench bench;
   bench.name = all.name("name", "a name");
-  bench.arm = exchange::read_arm(folder / model.text("file", "a model of the arm"), {end("base"), end("tip")})
-                  .nominal;
+  exchange::SpatialArm arm =
+      exchange::read_arm(folder / model.text("file", "a model of the arm"), {end("base"), end("tip")});
+  bench.arm = std::move(arm.nominal), bench.inertia = std::move(arm.inertia);
   const auto read = [&](const std::string& key) {
     std::vector<TorqueLog> some;
     for (const std::string& file : logs.texts(key, "files of logs"))

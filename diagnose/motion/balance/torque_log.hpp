@@ -23,6 +23,7 @@ struct TorqueLog {
 struct TorqueBench {
   std::string name;
   diagnose::NominalArm arm;
+  std::vector<Eigen::Matrix3d> inertia;  ///< by link, about the origin of its frame, kg m^2
   std::vector<TorqueLog> logs, held_out;
 };
 

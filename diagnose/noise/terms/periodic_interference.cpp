@@ -11,8 +11,8 @@ namespace {
 /// The clock of a run: seconds, or readings where its time stamps only count them.
 double instant(const NoiseEvidence& evidence, Eigen::Index value) {
   const ReadingPlace& place = evidence.measurements.places()[static_cast<std::size_t>(value)];
-  const Run& run = evidence.experiment.runs[place.run];
-  return run.counts_readings() ? static_cast<double>(place.reading) : evidence.measurements.time()(value);
+  return evidence.measurements.has_clock(place.run) ? evidence.measurements.time()(value)
+                                                    : static_cast<double>(place.reading);
 }
 
 /// A sinusoid of one frequency in all readings of a sensor, by the clock: amplitude and phase are each

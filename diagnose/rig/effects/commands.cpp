@@ -16,6 +16,12 @@ bool turns_and_moves(const Place& at) {
   return !at.scales.slides[at.joint] && moves(at);
 }
 
+/// Whether both turn and the joint before is moved.
+bool turns_beside_one_that_moves(const Place& at) {
+  return at.scales.axes == 3 && at.joint > 0 && !at.scales.slides[at.joint] &&
+         !at.scales.slides[at.joint - 1] && at.scales.moves[at.joint - 1];
+}
+
 /// Whether servos lead the joints.
 bool servos_lead(const Place& at) {
   return std::find(at.scales.moves.begin(), at.scales.moves.end(), true) != at.scales.moves.end();
@@ -52,6 +58,12 @@ std::vector<Effect> command_effects() {
        .add = [](const Addition& to) { to.rig.encoder[to.joint].scale += to.value[0]; },
        .possible = hides_and_moves,
        .form = "of the encoder"},
+      {.id = "gear_coupling",
+       .words = "joint {} whose gear turns with the joint before it",
+       .at_joint = true,
+       .parameters = one_of(ParameterKind::place_gain, "a"),
+       .add = [](const Addition& to) { to.rig.gear_coupling[to.joint] += to.value[0]; },
+       .possible = turns_beside_one_that_moves},
       {.id = "encoder_ripple",
        .words = "an encoder of joint {} that is off its axis",
        .at_joint = true,

@@ -77,9 +77,17 @@ inline bool places_are_read(const Place& at) {
   return at.scales.measures(Name::place) || (has_links(at) && end);
 }
 
-/// Whether places or orientations of points are read.
+/// Whether a sensor beside the tracker sees the place of a point.
+inline bool sensors_see_places(const Place& at) {
+  return std::any_of(arm_sensor_kinds().begin(), arm_sensor_kinds().end(), [&](const ArmSensorKind& kind) {
+    return !kind.sees_turns && at.scales.measures(kind.reads);
+  });
+}
+
+/// Whether places or orientations of points are read, or what depends on them.
 inline bool points_are_read(const Place& at) {
-  return at.scales.measures(Channel::Name::place) || at.scales.measures(Channel::Name::turn);
+  return at.scales.measures(Channel::Name::place) || at.scales.measures(Channel::Name::turn) ||
+         at.scales.measures(Channel::Name::inclination) || sensors_see_places(at);
 }
 
 /// The kind of an offset of the joint: an angle, or a way where it slides.

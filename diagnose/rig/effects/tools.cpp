@@ -57,7 +57,10 @@ std::vector<Effect> tool_effects() {
              for (OnLink<double>& point : to.rig.arm->points)
                point.frame.translation() += vector_of(to.value);
            },
-       .possible = [](const Place& at) { return at.scales.measures(Channel::Name::place); }},
+       .possible =
+           [](const Place& at) {
+             return at.scales.measures(Channel::Name::place) || sensors_see_places(at);
+           }},
       {.id = "tool_turn",
        .words = "a measured frame that is turned on its link",
        .parameters = some_of(ParameterKind::frame_angle, {"r_x", "r_y", "r_z"}),
@@ -66,7 +69,10 @@ std::vector<Effect> tool_effects() {
              for (OnLink<double>& point : to.rig.arm->points)
                point.frame.linear() *= rotation_by(vector_of(to.value));
            },
-       .possible = [](const Place& at) { return at.scales.measures(Channel::Name::turn); }},
+       .possible =
+           [](const Place& at) {
+             return at.scales.measures(Channel::Name::turn) || at.scales.measures(Channel::Name::inclination);
+           }},
   };
 }
 

@@ -325,8 +325,8 @@ TEST_CASE("the same effects are possible in every form, but for those of space")
   std::set_difference(arm.begin(), arm.end(), chain.begin(), chain.end(), std::back_inserter(of_the_arm));
   CHECK(of_the_chain == std::vector<std::string>{"axial_compliance"});
   CHECK(of_the_arm == std::vector<std::string>{"axis_shift(1)", "axis_shift(2)", "axis_tilt(1)",
-                                               "axis_tilt(2)", "link_bending(1)", "link_bending(2)",
-                                               "mount_tilt"});
+                                               "axis_tilt(2)", "gear_coupling(2)", "link_bending(1)",
+                                               "link_bending(2)", "mount_tilt"});
 }
 
 TEST_CASE("each effect of two joints that hold their weight gets one verdict in every form" *

@@ -123,6 +123,56 @@ TEST_CASE("slips in an arm's experiment are told in one line") {
   CHECK(complaint("place = 0.01", "place = 0").find("noise.place") != std::string::npos);
 }
 
+TEST_CASE("sensors beside the tracker are read in their units, each with columns of its own") {
+  const Experiment experiment =
+      read("[noise]\n",
+           "[[arm.sensor]]\nname = \"bar\"\nkind = \"distance\"\nxyz = [1, 2, 3]\n"
+           "[[arm.sensor]]\nname = \"cam\"\nkind = \"camera\"\nfocal_length = 900\n"
+           "[[arm.sensor]]\nname = \"level\"\nkind = \"inclinometer\"\n"
+           "[[arm.sensor]]\nname = \"floor\"\nkind = \"plane\"\n"
+           "[noise]\ndistance = 0.02\npixel = 0.1\ninclination = 0.01\nheight = 0.03\n",
+           "tip_x,tip_y,tip_z,weight\n0,0,0,550,0,400,0\n1,90,0,0,550,400,1.5\n",
+           "bar,cam_u,cam_v,level_x,level_y,floor,weight\n0,0,0,1500,12.5,-7,3,-45,250,0\n"
+           "1,90,0,,12,-8,3,-45,250,1.5\n");
+  const Run& run = experiment.runs[0];
+  REQUIRE(run.of_sensors.size() == 6);
+  const std::vector<double> wanted{1.5, 12.5, -7, 3 * std::numbers::pi / 180, -std::numbers::pi / 4, 0.25};
+  const std::vector<std::string> labels{"d1", "u2", "v2", "tilt_x3", "tilt_y3", "h4"};
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    CHECK(run.of_sensors[i].of(run.readings[0]) == close_to(wanted[i]));
+    CHECK(run.of_sensors[i].label() == labels[i]);
+  }
+  CHECK(std::isnan(run.of_sensors[0].of(run.readings[1])));
+  CHECK(run.measured() == run.of_sensors);
+  CHECK(experiment.noise[Channel::Name::distance] == close_to(2e-5));
+  CHECK(experiment.noise[Channel::Name::pixel] == 0.1);
+  const std::vector<ArmSensor>& sensors = experiment.arm_bench.sensors;
+  CHECK(sensors[0].at.translation() == Vector3<double>(1, 2, 3));
+  CHECK(sensors[1].focal_length == 900);
+  CHECK(sensors[2].at.linear().col(2) == Vector3<double>(0, 0, 1));  // against gravity
+}
+
+TEST_CASE("slips in an arm's sensors are told in one line") {
+  const auto complaint = [](const std::string& sensor) {
+    try {
+      static_cast<void>(read("[noise]", "[[arm.sensor]]\n" + sensor + "\n[noise]"));
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const auto tells = [&](const std::string& sensor, const std::string& what) {
+    return complaint(sensor).find(what) != std::string::npos;
+  };
+  CHECK(tells("name = \"a\"\nkind = \"sonar\"", "\"distance\""));
+  CHECK(tells("name = \"a\"\nkind = \"plane\"\npoint = \"toe\"", "the name of an [[arm.point]]"));
+  CHECK(tells("name = \"tip\"\nkind = \"plane\"", "a name that no other sensor or point has"));
+  CHECK(tells("name = \"weight\"\nkind = \"plane\"", "two columns \"weight\""));
+  CHECK(tells("name = \"a\"\nkind = \"camera\"", "arm.frames = \"unknown\""));
+  CHECK(tells("name = \"a\"\nkind = \"plane\"\nfocal_length = 3", "of a camera alone"));
+  CHECK(tells("name = \"a\"\nkind = \"camera\"\nfocal_length = -3", "a positive number, px"));
+}
+
 TEST_CASE("a temperature is the covariate of an arm, at every reading") {
   const std::string rows = "weight\n0,0,0,550,0,400,0\n1,90,0,0,550,400,1.5\n";
   const Experiment experiment =
@@ -155,4 +205,25 @@ TEST_CASE("columns of an arm have names, units, signs and zeros of their own, an
   CHECK(second[first_of_point + 1] == close_to(0.55));
   CHECK(second.wrench[2] == close_to(-1.5 * 9.81));
   CHECK(named.runs[0].origins[1].source == "a");
+}
+
+TEST_CASE("a rigid arm without masses is taken to weigh something, unless loads or drives tell its weight") {
+  const std::string rigid = "[[arm.joint]]\nname = \"shoulder\"\nxyz = [0, 0, 0.4]\n",
+                    own = rigid + "mass = 2\ncentre = [0.1, 0, 0]\nstiffness = 5000\n";
+  const auto density = [&](const std::string& joint, const std::string& header) {
+    std::map<std::string, std::string> files{{"experiment.toml", arm_settings}, {"one.csv", arm_table}};
+    std::string& settings = files["experiment.toml"];
+    settings.replace(settings.find(own), own.size(), joint);
+    std::string& table = files["one.csv"];
+    table.replace(table.find("weight"), 6, header);
+    const Experiment experiment =
+        read_experiment("arm", [&](const std::string& name, const std::string&) { return files.at(name); });
+    CHECK((experiment.arm_bench.assumed_density > 0) == (experiment.link_mass[1] > 0));
+    return experiment.arm_bench.assumed_density;
+  };
+  CHECK(density(rigid, "temperature") > 0);
+  CHECK(density(own, "temperature") == 0);
+  CHECK(density(rigid + "mass = 2\n", "temperature") == 0);
+  CHECK(density(rigid + "stiffness = 5000\n", "temperature") == 0);
+  CHECK(density(rigid, "weight") == 0);
 }

@@ -1,6 +1,7 @@
 #include "diagnose/calibration/calibration.hpp"
 
 #include "diagnose/answers/diagnosis.hpp"
+#include "diagnose/bench/assumed_weight.hpp"
 #include "diagnose/bench/registration.hpp"
 #include "diagnose/inference/calibration.hpp"
 #include "tests/diagnose/arms.hpp"
@@ -69,7 +70,8 @@ TEST_CASE("an arm in any frame, with its point anywhere, is calibrated to the sa
   // difference quotients' 1e-6 of what the effects do, some hundred sigmas.
   CHECK((one.nominal_residual() - other.nominal_residual()).norm() < 1e-2);
   const Calibration &first = calibration_of(one), &second = calibration_of(other);
-  CHECK(first.corrected.place == doctest::Approx(second.corrected.place).epsilon(1e-2));
+  CHECK(first.corrected.of(Channel::Name::place) ==
+        doctest::Approx(second.corrected.of(Channel::Name::place)).epsilon(1e-2));
   REQUIRE(first.tolerances.size() == second.tolerances.size());
   for (std::size_t t = 0; t < first.tolerances.size(); ++t) {
     CHECK(first.tolerances[t].at == second.tolerances[t].at);
@@ -86,8 +88,8 @@ TEST_CASE("of tolerances alone nothing sticks out, and the correction is as good
     const Study study = calibrated(Study(given(Truth(6, seed), seed)));
     const Calibration& found = calibration_of(study);
     CHECK(found.beside.empty());
-    CHECK(found.corrected.place <= 1.1 * found.least_squares.place);
-    CHECK(found.nominal.place > 5 * found.corrected.place);
+    CHECK(found.corrected.of(Channel::Name::place) <= 1.1 * found.least_squares.of(Channel::Name::place));
+    CHECK(found.nominal.of(Channel::Name::place) > 5 * found.corrected.of(Channel::Name::place));
     // What is left has the noise's variance in all directions but those of the frames.
     const VectorXd left = study.nominal_residual();
     const auto values = static_cast<double>(left.size());
@@ -100,7 +102,48 @@ TEST_CASE("an encoder that is off its axis sticks out of zeros and tilts of all 
   const Calibration& found = calibration_of(study);
   REQUIRE(!found.beside.empty());
   CHECK(found.beside.front().label() == "encoder_ripple(2)");
-  CHECK(found.corrected.place <= 1.1 * found.least_squares.place);
+  CHECK(found.corrected.of(Channel::Name::place) <= 1.1 * found.least_squares.of(Channel::Name::place));
+}
+
+TEST_CASE("a wrist's joint whose gear turns with the one before sticks out of what all joints are off by") {
+  Truth truth(6, 702412);
+  truth.add({"gear_coupling", 5}, {5e-3});
+  const Study study = calibrated(Study(given(truth, 702413)));
+  const Calibration& found = calibration_of(study);
+  REQUIRE(!found.beside.empty());
+  CHECK(found.beside.front().label() == "gear_coupling(5)");
+}
+
+TEST_CASE("a joint that yields is seen through a model without masses, by those of links alike in density") {
+  Experiment experiment = arm_bench(industrial_arm(0), 80);
+  for (Run& run : experiment.runs)
+    for (Reading& reading : run.readings) reading.wrench.clear();
+  Truth truth(6, 11);
+  constexpr double compliance = 2e-4;  // rad/(N m): joint 2 carries up to 15 N m, and sags by 3 mrad
+  truth.add({"joint_compliance", 2}, {compliance});
+  experiment = as_given(experiment, truth.candidate, truth.parameters, 12);
+  experiment.arm_bench.frames = ArmBench::Frames::unknown;
+  NominalArm weightless = *experiment.arm;
+  for (ArmLink<double>& link : weightless.arm.links) link.mass = 0, link.centre.setZero();
+  REQUIRE(is_weightless(weightless.arm));
+  const auto left_with = [&](double density) {
+    NominalArm model = weightless;
+    model.arm = weighed(model.arm, density);
+    static_cast<NominalChain&>(experiment) = chain_of(model);
+    return calibration_of(calibrated(Study(experiment)));
+  };
+  const Calibration none = left_with(0), some = left_with(10), other = left_with(20);
+  CHECK(some.corrected.place < none.corrected.place);
+  // Compliance times weight is all that shows.
+  CHECK(other.corrected.place == doctest::Approx(some.corrected.place).epsilon(1e-2));
+  const auto yields = [](const Calibration& one) {
+    const auto is = [](const EffectAt& at) { return at.effect->id == "joint_compliance"; };
+    return std::any_of(one.tolerances.begin(), one.tolerances.end(),
+                       [&](const Tolerance& of) { return is(of.at) && std::abs(of.mean.front()) > 0; }) ||
+           std::any_of(one.beside.begin(), one.beside.end(),
+                       [&](const NominalEffect& of) { return of.label() == "joint_compliance(2)"; });
+  };
+  CHECK(yields(some));
 }
 
 TEST_CASE(
@@ -108,8 +151,8 @@ TEST_CASE(
   const Study study = calibrated(Study(given(Truth(6, 7), 8)));
   const Calibration& found = calibration_of(study);
   // Noise of 3e-5 m an axis; 192 values fit some forty numbers, which adds less than a half to the squares.
-  CHECK(found.corrected.place > 0.9 * std::sqrt(3.0) * 3e-5);
-  CHECK(found.corrected.place < 1.3 * std::sqrt(3.0) * 3e-5);
+  CHECK(found.corrected.of(Channel::Name::place) > 0.9 * std::sqrt(3.0) * 3e-5);
+  CHECK(found.corrected.of(Channel::Name::place) < 1.3 * std::sqrt(3.0) * 3e-5);
 }
 
 TEST_CASE("a verdict is the same wherever the tracker stands and the point sits" *

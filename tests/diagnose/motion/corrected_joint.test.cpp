@@ -78,6 +78,16 @@ TEST_CASE("an MJCF gets the numbers of joint and servo, and all else stays byte 
   CHECK(has(written.effects[1].how, "c = 0.2"));
 }
 
+TEST_CASE("a derivative part is kv of the servo, or the third number of its bias") {
+  Found found;
+  found.keep("servo.xml", mjcf);
+  found.bench.model.gain = 0.16 * 4;
+  found.diagnosis.drive[Term::derivative_gain] = 0.05;  // times 3.6 N m
+  CHECK(has(found.corrected("out.xml").text, R"(kv="0.18")"));
+  found.diagnosis.drive[Term::command_offset] = 0.02;  // which only <general> can hold
+  CHECK(has(found.corrected("out.xml").text, "-2.304 -0.18"));
+}
+
 TEST_CASE("the gain of the model must be said where logs have several") {
   Found found;
   found.keep("servo.xml", mjcf);

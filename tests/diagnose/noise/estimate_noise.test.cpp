@@ -24,12 +24,19 @@ Experiment long_bench() {
   return experiment;
 }
 
+/// The same bench, its readings counted.
+Experiment untimed(Experiment experiment) {
+  for (Run& run : experiment.runs)
+    for (std::size_t r = 0; r < run.readings.size(); ++r) run.readings[r].t = static_cast<double>(r);
+  return experiment;
+}
+
 struct Made {
-  Study study{long_bench()};
+  Study study;
   CommandStates states{study.experiment()};
   VectorXd nominal = VectorXd::Zero(static_cast<Eigen::Index>(study.measurements().size()));
 
-  explicit Made(unsigned seed) {
+  explicit Made(unsigned seed, Experiment experiment = long_bench()) : study(std::move(experiment)) {
     std::mt19937 engine(seed);
     std::normal_distribution<double> normal;
     for (double& one : nominal) one = normal(engine);
@@ -60,6 +67,21 @@ TEST_CASE("white noise of the declared size is even, and its scale one") {
     CHECK(std::abs(std::log(one.scale)) < 0.16);
     CHECK(one.correlation < 0.2);
   }
+}
+
+TEST_CASE("readings without a clock have no correlation, and that of the prior changes nothing") {
+  const Made made(9, untimed(long_bench()));
+  REQUIRE_FALSE(made.study.measurements().has_clock(0));
+  for (const ChannelNoise& one : made.decomposed().channels) CHECK(one.correlation == 0);
+  Hyperpriors uncorrelated = full_model();
+  uncorrelated.correlation = {0}, uncorrelated.log_correlation = {0};
+  const NoiseShape shape(made.study.measurements());
+  const auto likelihood = [&](const Hyperpriors& priors) {
+    return Likelihood(made.study.measurements(), made.states, priors, shape, made.nominal)
+        .look(made.nominal)
+        .log_likelihood;
+  };
+  CHECK(likelihood(full_model()) == close_to(likelihood(uncorrelated)));
 }
 
 TEST_CASE("noise times a factor is estimated to be so many times the declared noise") {

@@ -210,6 +210,16 @@ TEST_CASE("encoders are off by zero, scale and ripple without showing it") {
   }
 }
 
+TEST_CASE("a gear that turns with the joint before stands off by a share of the command of that one") {
+  const Study study(arm_bench(industrial_arm(0), 6));
+  const Prediction coupled = predict(study, {{EffectAt("gear_coupling", 5)}}, {0.01});
+  for (Eigen::Index r = 0; r < 3; ++r) {
+    const double before = study.experiment().runs[0].readings[static_cast<std::size_t>(r)].rest[3];
+    const Prediction off = predict(study, {{EffectAt("rest_angle", 5)}}, {0.01 * before});
+    CHECK((place_of_tip(coupled.runs[0], r) - place_of_tip(off.runs[0], r)).norm() < 1e-14);
+  }
+}
+
 TEST_CASE("a tilted mount turns the arm and not gravity; a tracker that is turned shows it turned") {
   const NominalArm arm = industrial_arm();
   const Study study(arm_bench(arm, 4));

@@ -129,7 +129,7 @@ TEST_CASE("an effect of amount zero is the nominal model, any other is not") {
                        "torque_scale",     "axis_tilt",         "axis_shift",           "link_centre",
                        "mount_tilt",       "thermal_expansion", "tool_compliance",      "tool_play",
                        "tool_offset",      "tool_turn",         "slide_bending",        "upper_limit",
-                       "lower_limit"});
+                       "lower_limit",      "gear_coupling"});
   for (const EffectAt& at : possible) {
     CAPTURE(at.effect->id);
     CAPTURE(at.joint);

@@ -135,7 +135,7 @@ TEST_CASE("a sizeable amount of each effect, by hand") {
   for (const char* one : {"command", "angle", "tilt"}) of_a_joint[one + std::string("_drift")] = {0.01 / 90};
   for (const char* one : {"angle_bias", "tilt_bias", "torque_cross_talk"}) of_a_joint[one] = {0.05};
   for (const char* one : {"angle_scale", "tilt_scale", "angle_cross_talk", "tilt_cross_talk"})
-    of_a_joint[one] = {0.01};
+    of_a_joint[one] = of_a_joint["gear_coupling"] = {0.01};
   std::size_t known = 0;
   for (const Effect& row : catalogue()) {
     CAPTURE(row.id);

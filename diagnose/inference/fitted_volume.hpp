@@ -1,12 +1,16 @@
 #pragma once
 /// \file
-/// The effects of a hypothesis that its readings speak for.
+/// The share of its prior's volume that the readings leave to a fitted hypothesis, by Laplace's method, and
+/// the effects that they speak for.
 
 #include <vector>
 
 #include "diagnose/inference/hypothesis.hpp"
 
 namespace plumbline::diagnose {
+
+/// Logarithm of that share, the sizes of effects summed out.
+double log_volume(const Study& study, const Hypothesis& hypothesis);
 
 /// Effects that stay of a hypothesis, and the share of its evidence in which they do.
 struct SeenEffects {
