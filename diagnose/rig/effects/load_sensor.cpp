@@ -123,14 +123,14 @@ bool has_second_sensor(const Place& at) {
          at.scales.measures(Name::torque_2);
 }
 
-/// Its components: both where none is read, as in the catalogue's document.
+/// Its components: all where none is read, as in the catalogue's document.
 std::vector<Channel::Name> second_names(const CharacteristicScales& scales) {
   using Name = Channel::Name;
-  if (scales.axes == 1) return {Name::torque_2};
   std::vector<Name> read;
-  for (const Name name : {Name::Fx_2, Name::Fy_2})
+  for (const Name name : {Name::Fx_2, Name::Fy_2, Name::torque_2})
     if (scales.measures(name)) read.push_back(name);
-  return read.empty() ? std::vector{Name::Fx_2, Name::Fy_2} : read;
+  if (!read.empty()) return read;
+  return scales.axes > 1 ? std::vector{Name::Fx_2, Name::Fy_2} : std::vector{Name::torque_2};
 }
 
 const char* axis_of(Channel::Name component) {
@@ -142,8 +142,8 @@ auto each_component(ParameterKind of_force, ParameterKind of_torque, const std::
   return [=](const Place& at) {
     std::vector<ParameterRange> all;
     for (const Channel::Name name : second_names(at.scales))
-      all.push_back(name == Channel::Name::torque_2 ? of(of_torque, stem, at)
-                                                    : of(of_force, kept(stem + axis_of(name)), at));
+      all.push_back(at.scales.axes == 1 ? of(of_torque, stem, at)
+                                        : of(of_force, kept(stem + axis_of(name)), at));
     return all;
   };
 }

@@ -121,6 +121,50 @@ std::vector<Row> planted(const EffectAt& cause, const std::vector<double>& value
   return rows;
 }
 
+const char* const joint_alone = R"(format = "chain-experiment/1"
+name = "a joint, loaded by a servo with a cell, beside a second cell"
+[nominal]
+joint = "{}"
+joint_stiffness = [40]
+[noise]
+{} = 2e-4
+{}_2 = 0.01
+[[run]]
+id = "load"
+control = "{}"
+samples = "t.csv"
+)";
+
+/// A joint alone, turning or sliding, whose second sensor has this error.
+void check_named_alone(bool slides, const EffectAt& cause, const std::vector<double>& values) {
+  const std::string place = slides ? "x" : "angle", load = slides ? "Fx" : "torque";
+  const std::string settings = fmt::format(fmt::runtime(joint_alone), slides ? "prismatic" : "revolute",
+                                           place, load, slides ? "force" : "torque");
+  const auto table = [&](const Trace* read) {
+    std::mt19937 engine(9);
+    std::normal_distribution<double> normal;
+    std::string text = fmt::format("t,{0},{1},{1}_2\n", place, load);
+    for (int i = 0; i < 40; ++i) {
+      const double t = 0.4 * i + 0.05 * (i % 3), imposed = 4 * std::sin(0.5 * t) * (1 + 0.02 * t);
+      double at = imposed / 40, second = imposed;
+      if (read != nullptr) {
+        at = (*read)(i, column_x) + 2e-4 * normal(engine);
+        second = (*read)(i, column_Fx_2) + 0.01 * normal(engine);
+      }
+      text += fmt::format("{:.9g},{:.9g},{:.9g},{:.9g}\n", t, at, imposed, second);
+    }
+    return text;
+  };
+  const Prediction truth = predict(study_of(settings.c_str(), table(nullptr)), {{cause}}, values);
+  REQUIRE(truth.reached);
+  const Diagnosis found = diagnose::diagnose(study_of(settings.c_str(), table(&truth.runs[0])));
+  CAPTURE(cause.name());
+  CAPTURE(slides);
+  REQUIRE(!found.cause.ranking.empty());
+  CHECK(found.cause.named == 1);
+  CHECK(found.cause.ranking[0].cause.label() == cause.label());
+}
+
 /// The form of a row that is not the first of its id.
 const Effect& second_form(std::string_view id) {
   for (const Effect& row : catalogue())
@@ -153,6 +197,15 @@ TEST_CASE("a camera that is late is late, by a delay and by a time constant" * d
 
 TEST_CASE("angles that are read late are late, beside a camera") {
   check_named({second_form("angle_lag"), 0}, {0.1});
+}
+
+TEST_CASE("a second cell of a joint alone, turning or sliding, has a zero, drifts or is late" *
+          doctest::test_suite("long")) {
+  for (const bool slides : {false, true}) {
+    check_named_alone(slides, {"second_zero"}, {0.1});
+    check_named_alone(slides, {"second_drift"}, {0.01});
+    check_named_alone(slides, {second_form("second_lag"), 0}, {0.1});
+  }
 }
 
 TEST_CASE("angles drift, and talk into each other" * doctest::test_suite("long")) {
