@@ -157,7 +157,7 @@ TEST_CASE("sensors beside the tracker are read in their units, each with columns
 TEST_CASE("slips in an arm's sensors are told in one line") {
   const auto complaint = [](const std::string& sensor) {
     try {
-      static_cast<void>(read("[noise]", "[[arm.sensor]]\n" + sensor + "\n[noise]"));
+      static_cast<void>(read("[noise]", "[[arm.sensor]]\n" + sensor + "\n[noise]", "", ""));
     } catch (const Error& error) {
       return std::string(error.what());
     }
