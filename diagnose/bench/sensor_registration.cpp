@@ -135,8 +135,13 @@ class SensorRegistration {
     for (std::size_t i = 0; i < sights.size(); i += stride) few.push_back(sights[i]);
     Sighting best = said;
     double least = INFINITY;
+    // A vertical that is turned over with its point reads the same: it stays as said until the point is
+    // found.
+    std::vector<Eigen::Index> first = free;
+    if (said.sensor.kind->sees_turns && !is_placed(number))
+      std::erase_if(first, [](Eigen::Index motion) { return motion < 6; });
     for (const Sighting& start : starts(said, few)) {
-      const Sighting found = fitted(start, few, free, 30);
+      const Sighting found = fitted(start, few, first, 30);
       if (const double squares = found.residual(few).squaredNorm(); squares < least)
         least = squares, best = found;
     }

@@ -130,6 +130,7 @@ TEST_CASE("each sensor alone is found where it stands, its point where it sits")
     // thousand pixels, over sigmas of some 1e-5 of these.
     CHECK(largest_residual(found) < 0.1);
     const ArmSensor &sensor = found.arm_bench.sensors[0], &truth = exact.arm_bench.sensors[0];
+    CHECK((sensor.at.linear().col(2) - truth.at.linear().col(2)).norm() < (one.sees_own.at(3) ? 1e-4 : 0.5));
     if (one.has_focal_length) CHECK(sensor.focal_length == doctest::Approx(truth.focal_length).epsilon(1e-4));
     for (Eigen::Index axis = 0; axis < 3; ++axis)
       if (one.sees_own.at(0) && one.sees_own.at(1))

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <functional>
 #include <set>
 #include <string>
 
@@ -64,6 +65,52 @@ TEST_CASE("what is planted is named, and its size lies in the interval or within
   }
 }
 
+/// A bench whose drive has a row that needs a count of periods, a temperature or the motion of its base.
+Study study_beside(const std::function<void(Drive<double>&)>& plant) {
+  Bench bench;
+  bench.name = "planted";
+  bench.nominal = planted_drive(Term::command_delay, 0);
+  bench.sigma = 5e-4;
+  bench.periods = {7, 24};
+  Drive<double> moves = bench.nominal;
+  plant(moves);
+  unsigned seed = 1;
+  for (const double gain : {4.0, 8.0, 16.0}) {
+    MotionLog log = test_log(bench.nominal, gain, 0);
+    for (std::size_t k = 0; k < log.time.size(); ++k) {
+      log.warmer.push_back(gain - 8 + log.time[k]);
+      log.base_acceleration.push_back(std::sin(9 * log.time[k]));
+    }
+    log.position = angles_of(moves, log, {0, 0, log.time.size()}, 0.0, 0.0);
+    std::mt19937 generator(seed++);
+    std::normal_distribution<double> noise(0, bench.sigma);
+    for (double& q : log.position) q += noise(generator);
+    bench.logs.push_back(std::move(log));
+  }
+  return Study(bench);
+}
+
+TEST_CASE("parts of the servo's law, and what acts by angle, temperature and base, are named") {
+  const struct {
+    const char* id;
+    std::function<void(Drive<double>&)> plant;
+  } planted[] = {
+      {"integral_gain", [](auto& drive) { drive[Term::integral_gain] = 2; }},
+      {"gravity_forward", [](auto& drive) { drive[Term::gravity_forward] = 0.5; }},
+      {"contact_above",
+       [](auto& drive) { drive[Term::contact_above] = 1.5, drive[Term::above_from] = 0.35; }},
+      {"cogging(24)", [](auto& drive) { drive[Term::periods] = 24, drive[Term::cogging_sine] = 0.08; }},
+      {"torque_ripple(7)", [](auto& drive) { drive[Term::periods] = 7, drive[Term::ripple_cosine] = 0.3; }},
+      {"friction_warming", [](auto& drive) { drive[Term::friction_warming] = 0.08; }},
+      {"base_motion", [](auto& drive) { drive[Term::base_motion] = 1; }}};
+  for (const auto& [id, plant] : planted) {
+    CAPTURE(id);
+    const Diagnosis diagnosis = diagnose_motion(study_beside(plant));
+    INFO(as_text(diagnosis));
+    CHECK(first_named(diagnosis) == std::set<std::string>{id});
+  }
+}
+
 TEST_CASE(
     "what no log tells apart is one class: back EMF and viscous friction of a drive that is never off") {
   const Diagnosis diagnosis = diagnose_motion(study_of(Term::viscous, 0.08));
@@ -73,7 +120,7 @@ TEST_CASE(
   std::set<std::string> named;
   for (const NamedCause& one : diagnosis.causes)
     if (one.effects.size() == 1) named.insert(one.effects.front().id);
-  CHECK(named == std::set<std::string>{"back_emf", "viscous_friction"});
+  CHECK(named == std::set<std::string>{"back_emf", "derivative_gain", "viscous_friction"});
 }
 
 TEST_SUITE_END();

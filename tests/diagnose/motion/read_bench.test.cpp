@@ -3,7 +3,9 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <numbers>
 #include <plumbline/base/error.hpp>
+#include <set>
 #include <string>
 
 #include "support/files/output_file.hpp"
@@ -51,6 +53,45 @@ struct Folder {
 };
 
 }  // namespace
+
+TEST_CASE(
+    "temperatures are departures from their mean, and rows of ripple those of the counts that are said") {
+  Folder folder;
+  folder.replace("stall_torque = \"unknown\"\n",
+                 "stall_torque = \"unknown\"\nperiods_per_turn = [7, 24]\n[columns]\ntemperature = "
+                 "\"heat\"\nbase_acceleration = \"shake\"\n");
+  folder.header = "t,command,position,heat,shake\n";
+  std::string rows;
+  for (int k = 0; k < 50; ++k)
+    rows += std::to_string(0.01 * k) + ",0.1," + std::to_string(0.1 * std::sin(0.1 * k)) + "," +
+            (k < 25 ? "20" : "30") + ",0.5\n";
+  folder.rows = rows;
+  const Bench bench = folder.read();
+  CHECK(bench.logs.front().warmer.front() == close_to(-5));
+  CHECK(bench.logs.front().base_acceleration.back() == close_to(0.5));
+  std::set<std::string> ids;
+  const Study study(bench);
+  for (const Row& row : study.rows()) ids.insert(row.id);
+  for (const char* id : {"cogging(7)", "torque_ripple(24)", "friction_warming", "base_motion"})
+    CHECK(ids.count(id) == 1);
+  CHECK(ids.count("cogging(31)") == 0);
+}
+
+TEST_CASE("motions that are planned are commands of the rig, each with a gain of its own") {
+  Folder folder;
+  folder.settings += "[[motion]]\nkind = \"sine\"\nsize = 0.4\nfrequency = 2\nduration = 1\ngain = 3\n";
+  static_cast<void>(folder.read());  // logs are read beside them
+  const Bench planned = read_planned_bench(folder.folder.path());
+  REQUIRE(planned.logs.size() == 1);
+  const MotionLog& log = planned.logs.front();
+  CHECK(log.gain == close_to(3));
+  CHECK(log.time.size() == 100);
+  CHECK(log.command[25] == close_to(0.4 * std::sin(2 * std::numbers::pi * 2 * 0.25)));
+  CHECK(log.name.find("gain 3") != std::string::npos);
+  folder.replace("frequency = 2\n", "");
+  static_cast<void>(folder.read());
+  CHECK_THROWS_AS(static_cast<void>(read_planned_bench(folder.folder.path())), Error);
+}
 
 TEST_CASE("a log alone is read in SI, and a point mass is its load") {
   const Bench bench = Folder().read();
