@@ -1,5 +1,6 @@
 /// \file
-/// Effects of what reads joint angles, tilts of links, and torques of drives: one loop over their channels.
+/// Effects of what reads the joints, such as their angles and the torques of their drives: one loop over the
+/// channels that there are at each joint.
 
 #include "diagnose/rig/effects/each_joint.hpp"
 #include "diagnose/rig/effects/responses.hpp"
@@ -15,37 +16,19 @@ ParameterKind always(const Place&) {
   return kind;
 }
 
-/// Sensors of one kind, one at each joint or link.
-struct JointSensor {
-  Channel::Name reads;
-  const char *stem, *value, *all;  ///< of ids; in words, what one of them reads, and all of them
+/// The kinds of errors of a sensor.
+struct ErrorKinds {
   KindAt zero, drift;
   ParameterKind gain;
-  Possible zero_shows;
+  bool show_alone;  ///< where nothing else is read; others are then errors of the joints
 };
 
-/// Whether that is read, and something else: alone, its errors are those of the joints.
-template <Channel::Name name>
-bool is_read_beside(const Place& at) {
-  return at.scales.measures(name) && at.scales.kinds_read() > 1;
-}
-
-template <Channel::Name name>
-bool is_read(const Place& at) {
-  return at.scales.measures(name);
-}
-
-std::vector<JointSensor> joint_sensors() {
-  using Name = Channel::Name;
+ErrorKinds errors_of(Sensor sensor) {
   using Kind = ParameterKind;
-  return {
-      {Name::q, "angle", "the angle that is read at joint {}", "sensors of the joints' angles that respond",
-       offset_of_joint, drift_of_joint, Kind::place_gain, is_read_beside<Name::q>},
-      {Name::tilt, "tilt", "the tilt that is read of link {}", "sensors of the links' tilts that respond",
-       always<Kind::fixture_angle>, always<Kind::angle_drift>, Kind::place_gain, is_read_beside<Name::tilt>},
-      {Name::drive, "torque", "the torque that is read at joint {}",
-       "sensors of the drives' torques that respond", always<Kind::torque_zero>, always<Kind::torque_drift>,
-       Kind::load_gain, is_read<Name::drive>}};
+  if (sensor == Sensor::torque)
+    return {always<Kind::torque_zero>, always<Kind::torque_drift>, Kind::load_gain, true};
+  if (sensor == Sensor::angle) return {offset_of_joint, drift_of_joint, Kind::place_gain, false};
+  return {always<Kind::fixture_angle>, always<Kind::angle_drift>, Kind::place_gain, false};
 }
 
 template <class Member>
@@ -53,36 +36,43 @@ auto add_to(Channel::Name name, Member member) {
   return [=](const Addition& to) { to.rig.sensors.error(name, to.joint).*member += to.value[0]; };
 }
 
-std::vector<Effect> rows_of(const JointSensor& one) {
-  const std::string stem = one.stem, value = one.value;
-  const Possible reads = [name = one.reads](const Place& at) { return at.scales.measures(name); };
+/// The rows of a kind of channel that there is at each joint.
+std::vector<Effect> rows_of(const ChannelKind& channel) {
+  const Channel::Name name = channel.name;
+  const ErrorKinds kinds = errors_of(channel.sensor);
+  const std::string stem(channel.label == "q" ? "angle" : channel.label);
+  const std::string value = "the " + stem + " that is read at joint {}";
+  const Possible reads = [name](const Place& at) { return at.scales.measures(name); };
+  const Possible shows = [reads, alone = kinds.show_alone](const Place& at) {
+    return reads(at) && (alone || at.scales.kinds_read() > 1);
+  };
   const Possible in_time = [reads](const Place& at) { return reads(at) && shows_in_time(at); };
-  const Responder all{stem + "_lag", one.all, sensors_of({one.reads})};
+  const Responder all{stem + "_lag", "sensors of " + stem + "s that respond", sensors_of({name})};
   return {
       {.id = stem + "_bias",
        .words = "a wrong zero of " + value,
        .at_joint = true,
-       .parameters = [zero = one.zero](const Place& at) { return std::vector{of(zero(at), "b", at)}; },
-       .add = add_to(one.reads, &SensorError::zero),
-       .possible = one.zero_shows},
+       .parameters = [zero = kinds.zero](const Place& at) { return std::vector{of(zero(at), "b", at)}; },
+       .add = add_to(name, &SensorError::zero),
+       .possible = shows},
       {.id = stem + "_scale",
        .words = "a wrong scale of " + value,
        .at_joint = true,
-       .parameters = one_of(one.gain, "g"),
-       .add = add_to(one.reads, &SensorError::gain),
-       .possible = one.zero_shows},
+       .parameters = one_of(kinds.gain, "g"),
+       .add = add_to(name, &SensorError::gain),
+       .possible = shows},
       {.id = stem + "_drift",
        .words = "a drift over time of " + value,
        .at_joint = true,
-       .parameters = [drift = one.drift](const Place& at) { return std::vector{of(drift(at), "r", at)}; },
-       .add = add_to(one.reads, &SensorError::drift),
+       .parameters = [drift = kinds.drift](const Place& at) { return std::vector{of(drift(at), "r", at)}; },
+       .add = add_to(name, &SensorError::drift),
        .possible = in_time},
       {.id = stem + "_cross_talk",
        .words = "cross-talk of the joints beside it into " + value,
        .at_joint = true,
-       .parameters = one_of(one.gain, "c"),
-       .add = add_to(one.reads, &SensorError::neighbours),
-       .possible = [shows = one.zero_shows](const Place& at) { return several_joints(at) && shows(at); }},
+       .parameters = one_of(kinds.gain, "c"),
+       .add = add_to(name, &SensorError::neighbours),
+       .possible = [shows](const Place& at) { return several_joints(at) && shows(at); }},
       lagging(all, in_time),
       delayed(all, in_time),
   };
@@ -92,8 +82,9 @@ std::vector<Effect> rows_of(const JointSensor& one) {
 
 std::vector<Effect> joint_sensor_effects() {
   std::vector<Effect> rows;
-  for (const JointSensor& one : joint_sensors())
-    for (Effect& row : rows_of(one)) rows.push_back(std::move(row));
+  for (const ChannelKind& channel : channel_kinds)
+    if (channel.index == ChannelKind::Index::joint)
+      for (Effect& row : rows_of(channel)) rows.push_back(std::move(row));
   return rows;
 }
 
