@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <plumbline/base/error.hpp>
+#include <set>
 
 #include "diagnose/bench/registration.hpp"
 #include "diagnose/bench/sensor_registration.hpp"
@@ -20,6 +22,7 @@ class Calibrator {
 
   Study result() {
     require_reached();
+    require_a_length();
     tracker_ = register_frames(experiment_);
     register_sensors(experiment_);
     constexpr int rounds = 3;
@@ -38,6 +41,23 @@ class Calibrator {
       throw Error("experiment \"" + read_.experiment().name + "\"",
                   "loads under which the nominal arm does not hold its poses",
                   "joints and links that are stiffer than their loads");
+  }
+
+  /// Heights that are all one, as of contacts with a plane, are those of an arm of no size too.
+  void require_a_length() const {
+    const CharacteristicScales& scales = read_.scales();
+    using Name = Channel::Name;
+    if (!scales.measures(Name::height) || scales.measures(Name::place) || scales.measures(Name::distance))
+      return;
+    for (const Channel& channel : experiment_.arm_bench.sensor_channels(experiment_.arm->arm.size())) {
+      std::set<double> values;
+      for (const Run& run : experiment_.runs)
+        for (const Reading& reading : run.readings)
+          if (std::isfinite(channel.of(reading))) values.insert(channel.of(reading));
+      if (channel.name == Name::height && values.size() > 1) return;
+    }
+    throw Error("experiment \"" + experiment_.name + "\"", "contacts alone, whose heights are all one",
+                "heights that differ, distances or places beside them, or arm.frames = \"known\"");
   }
 
   /// The arm with means of tolerances, or of these and what sticks out of them.

@@ -25,8 +25,12 @@ class ArmTableReader {
   }
 
   ArmRun result() {
+    run_.sensors = sensor_columns(source_);
+    for (const SensorColumns& sensor : run_.sensors)
+      for (const std::size_t column : sensor.columns) words_[column].kind = Kind::none;
     if (const auto time = column_of(Kind::time)) put("t", *time, quantity::time, "s");
     find_angles();
+    put_sensors();
     find_places();
     find_turns();
     find_loads();
@@ -120,6 +124,29 @@ class ArmTableReader {
     if (most <= once_around) return "";
     say("unit of q", "deg", fmt::format("angles up to {:.4g} are more than once around in rad", most));
     return "deg";
+  }
+
+  /// Lengths that are longer than the arm can be are in mm, angles of more than a quarter turn in degrees.
+  void put_sensors() {
+    double reach = 0;
+    for (std::size_t j = 0; j < arm_.arm.size(); ++j) reach += arm_.arm.far_end(j).translation().norm();
+    constexpr double far = 20, quarter = 1.571;  // times the reach; rad
+    for (const SensorColumns& sensor : run_.sensors)
+      for (std::size_t i = 0; i < sensor.columns.size(); ++i) {
+        const std::size_t column = sensor.columns[i];
+        double most = 0;
+        for (const double value : finite(source_.numbers(column))) most = std::max(most, std::abs(value));
+        const Quantity& of = sensor.kind->reads == Channel::Name::pixel         ? quantity::pixel
+                             : sensor.kind->reads == Channel::Name::inclination ? quantity::angle
+                                                                                : quantity::length;
+        const bool small = &of == &quantity::length && most > far * reach,
+                   turned = &of == &quantity::angle && most > quarter;
+        put(sensor.name + std::string(sensor.kind->column[i]), column, of,
+            small    ? "mm"
+            : turned ? "deg"
+                     : "",
+            sensor.kind->reads);
+      }
   }
 
   /// A camera sees two coordinates.

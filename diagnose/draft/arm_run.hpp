@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "diagnose/draft/draft.hpp"
+#include "diagnose/draft/sensor_columns.hpp"
 
 namespace plumbline::diagnose {
 
@@ -23,6 +24,7 @@ struct ArmRun {
   std::vector<Eigen::Vector3d> places;    ///< by reading, NaN where nothing was read; in a unit of its own
   std::string unit_of_place;              ///< or empty
   std::vector<Eigen::Quaterniond> turns;  ///< by reading, or empty
+  std::vector<SensorColumns> sensors;     ///< beside the tracker
   std::vector<std::size_t> used;          ///< columns of its source
   Guesses guesses;
 };

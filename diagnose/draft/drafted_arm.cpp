@@ -169,17 +169,37 @@ class ArmDrafter {
           "frames = \"unknown\"  # found from these poses alone; \"known\" if a registration of its own says "
           "so\n";
     }
+    text += sensors(!registration_.takes_frame);
     text += "\n[noise]  # of a single reading: its scatter in time, or what is usual\n";
     add_noise(text, Channel::Name::place, usual_place());
     add_noise(text, Channel::Name::turn, usual_angle);
     add_noise(text, Channel::Name::q, usual_angle);
     add_noise(text, Channel::Name::drive, usual_torque());
+    add_noise(text, Channel::Name::distance, usual_place());
+    add_noise(text, Channel::Name::height, usual_place());
+    add_noise(text, Channel::Name::inclination, usual_angle);
+    add_noise(text, Channel::Name::pixel, usual_pixel);
     for (const ArmRun& run : runs_)
       text += fmt::format("\n[[run]]\nid = {0}\nsamples = {1}\n", quoted(run.id), quoted(run.id + ".csv"));
     return text;
   }
 
-  static constexpr double usual_angle = 3e-4;
+  /// The tables of all sensors; nobody has said where they stand.
+  [[nodiscard]] std::string sensors(bool frames) const {
+    std::vector<std::string> names;
+    std::string text;
+    for (const ArmRun& run : runs_)
+      for (const SensorColumns& one : run.sensors) {
+        if (std::ranges::count(names, one.name) > 0) continue;
+        names.push_back(one.name);
+        text += fmt::format("\n[[arm.sensor]]  # of the tip, or of an [[arm.point]]\nname = {}\nkind = {}\n",
+                            quoted(one.name), quoted(std::string(one.kind->key)));
+      }
+    if (text.empty() || !frames) return text;
+    return "frames = \"unknown\"  # nobody has said where the sensors stand\n" + text;
+  }
+
+  static constexpr double usual_angle = 3e-4, usual_pixel = 0.1;
   /// A ten-thousandth of the reach.
   [[nodiscard]] double usual_place() const {
     double reach = 0;

@@ -51,6 +51,8 @@ double widest(const Run& run, const Trace& predicted, const Channel& channel) {
 bool is_stuck(const Run& run, const Trace& predicted, const Channel& channel, const Noise& noise) {
   constexpr std::size_t enough = 8;
   constexpr double of_noise = 20, of_sensor = 0.02;
+  // Contacts and ball bars hold it still.
+  if (channel.sensor() == Sensor::distance) return false;
   const Ranges both = ranges(run, predicted, channel);
   return both.measured.count >= enough && both.measured.width() == 0 &&
          both.predicted.width() > of_noise * channel.sigma(noise) &&

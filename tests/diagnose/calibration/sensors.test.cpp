@@ -91,7 +91,7 @@ Experiment off_everywhere(const std::vector<ArmSensor>& sensors, unsigned seed) 
   return as_given(seen_by(sensors), truth, parameters, seed);
 }
 
-std::vector<ArmSensor> only(std::string_view key) {
+std::vector<ArmSensor> of_kind(std::string_view key) {
   std::vector<ArmSensor> all = one_of_each();
   std::erase_if(all, [&](const ArmSensor& one) { return one.kind->key != key; });
   return all;
@@ -116,7 +116,7 @@ TEST_CASE("a sensor reads what its law says of a point in its frame") {
 TEST_CASE("each sensor alone is found where it stands, its point where it sits") {
   for (const ArmSensorKind& one : arm_sensor_kinds()) {
     CAPTURE(one.key);
-    Experiment exact = as_given(seen_by(only(one.key)), {}, {}, 1);
+    Experiment exact = as_given(seen_by(of_kind(one.key)), {}, {}, 1);
     const Prediction nominal = Study(exact).nominal();
     for (std::size_t r = 0; r < exact.runs.size(); ++r)
       for (std::size_t i = 0; i < exact.runs[r].readings.size(); ++i)
@@ -185,9 +185,15 @@ TEST_CASE("the place of a sensor lies within five standard deviations of the tru
   }
 }
 
+TEST_CASE("contacts alone are refused: an arm of no size touches the plane everywhere") {
+  Experiment experiment = seen_by(of_kind("plane"));
+  CHECK_THROWS_WITH_AS(calibrated(Study(experiment)), doctest::Contains("heights that differ"), Error);
+  CHECK_NOTHROW(calibrated(Study(as_given(experiment, {}, {}, 702414))));
+}
+
 TEST_CASE("errors of a tool show in distances and pictures, its turn in an inclinometer") {
   const auto possible = [](std::string_view key, const char* id) {
-    Experiment experiment = as_given(seen_by(only(key)), {}, {}, 1);
+    Experiment experiment = as_given(seen_by(of_kind(key)), {}, {}, 1);
     experiment.arm_bench.frames = ArmBench::Frames::known;
     const std::vector<EffectAt> all = possible_effects(Study(experiment));
     return std::ranges::find(all, EffectAt(id)) != all.end();

@@ -132,6 +132,34 @@ TEST_CASE("a frame that is a little off stays for the diagnosis to find") {
   CHECK(draft.settings.find("base_xyz") == std::string::npos);
 }
 
+TEST_CASE("wires, a camera and a level are drafted as sensors that stand anywhere") {
+  std::string text = "J1 (deg),J2 (deg),J3 (deg),Wire 1 [mm],wire_2,cam_u,cam_v,tilt_x [deg],tilt_y [deg]\n";
+  for (int i = 0; i < 12; ++i) {
+    const std::vector<double> q = pose(i);
+    text += fmt::format("{:.6f},{:.6f},{:.6f},{},{},{},{},{},{}\n", q[0] * 180 / M_PI, q[1] * 180 / M_PI,
+                        q[2] * 180 / M_PI, 1000 + i, 900 + i, 3 + i, 5 - i, 10 + i, -20 - i);
+  }
+  const Draft draft = draft_experiment("arm", three_joints(), {{"poses.csv", text}});
+  CAPTURE(draft.settings);
+  CHECK(draft.question == "");
+  const toml::table settings = files::parse_toml(draft.settings, "experiment.toml");
+  CHECK(settings["arm"]["frames"].value<std::string>() == "unknown");
+  const auto* drafted = settings["arm"]["sensor"].as_array();
+  REQUIRE(drafted != nullptr);
+  const std::vector<std::array<std::string, 2>> wanted{
+      {"wire_1", "distance"}, {"wire_2", "distance"}, {"cam", "camera"}, {"tilt", "inclinometer"}};
+  REQUIRE(drafted->size() == wanted.size());
+  for (std::size_t s = 0; s < wanted.size(); ++s) {
+    CHECK(toml::node_view(*drafted->get(s))["name"].value<std::string>() == wanted[s][0]);
+    CHECK(toml::node_view(*drafted->get(s))["kind"].value<std::string>() == wanted[s][1]);
+  }
+  CHECK(column(draft, "wire_1").front() == doctest::Approx(1.0));  // m
+  CHECK(column(draft, "wire_2").front() == doctest::Approx(0.9));  // no unit: longer than any arm in m
+  CHECK(column(draft, "cam_u").front() == doctest::Approx(3.0));
+  CHECK(column(draft, "tilt_y").front() == doctest::Approx(-20 * M_PI / 180));
+  for (const char* kind : {"distance", "pixel", "inclination"}) CHECK(settings["noise"][kind].is_number());
+}
+
 TEST_CASE("a camera sees two coordinates") {
   std::string text = "q1,q2,q3,x [mm],z [mm]\n";
   for (int i = 0; i < 8; ++i) {
