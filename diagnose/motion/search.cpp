@@ -13,8 +13,6 @@ namespace {
 /// Hypotheses of each size beside which a further row is looked for, and the rows beside each of them whose
 /// forecasts are fitted: more costs time alone.
 constexpr std::size_t seeds = 4, fitted_beside = 7;
-/// Nats below the best forecast at which a row is not fitted: what it explains is not worth a name.
-constexpr double hopeless = 30;
 /// Hypotheses that are fitted again with rows left out.
 constexpr std::size_t simplified = 3;
 
@@ -187,7 +185,7 @@ class Searcher {
       for (std::size_t k = 0; k < tasks.size(); ++k) {
         report((static_cast<double>(i) + static_cast<double>(k) / static_cast<double>(tasks.size())) /
                static_cast<double>(from.size()));
-        Hypothesis one = fitted(study_, *found_.likelihood, tasks[k].candidate, tasks[k].start);
+        Hypothesis one = from_afar(tasks[k]);
         if (std::isfinite(one.log_evidence())) level.push_back(std::move(one));
       }
     }
@@ -195,14 +193,17 @@ class Searcher {
     return level;
   }
 
-  /// Where a row alone, whose numbers may be far from those without it, is by short segments.
-  std::vector<double> from_afar(const Task& task) const {
-    return fitted(short_study_, *short_likelihood_, task.candidate,
-                  {task.start.values, short_study_.rough_begins()})
-        .values;
+  /// A fit; of a row alone, whose numbers may be far from those without it, by way of short segments.
+  Hypothesis from_afar(const Task& task) const {
+    Start start = task.start;
+    if (task.candidate.rows.size() == 1)
+      start.values = fitted(short_study_, *short_likelihood_, task.candidate,
+                            {start.values, short_study_.rough_begins()})
+                         .values;
+    return fitted(study_, *found_.likelihood, task.candidate, std::move(start));
   }
 
-  /// Rows beside the nominal model, but for those without a hope; the most promising ones beside a cause.
+  /// Every row beside the nominal model; the most promising ones beside a cause.
   std::vector<Task> tasks_beside(const Hypothesis& lead, std::set<std::set<const Row*>>& tried) const {
     std::vector<Task> tasks;
     for (const Row& row : study_.rows()) {
@@ -212,14 +213,13 @@ class Searcher {
       if (lead.candidate.has(row) || shares_a_term(lead.candidate, row) ||
           task.start.values.size() > most_parameters || tried.count(rows_of(task.candidate)) > 0)
         continue;
-      if (lead.candidate.rows.empty()) task.start.values = from_afar(task);
-      task.promise = forecast(study_, *found_.likelihood, task.candidate, task.start, lead.look.best);
+      if (!lead.candidate.rows.empty())
+        task.promise = forecast(study_, *found_.likelihood, task.candidate, task.start, lead.look.best);
       tasks.push_back(std::move(task));
     }
     std::stable_sort(tasks.begin(), tasks.end(),
                      [](const Task& a, const Task& b) { return a.promise > b.promise; });
     if (!lead.candidate.rows.empty() && tasks.size() > fitted_beside) tasks.resize(fitted_beside);
-    std::erase_if(tasks, [&](const Task& one) { return one.promise < tasks.front().promise - hopeless; });
     for (const Task& task : tasks) tried.insert(rows_of(task.candidate));
     return tasks;
   }
