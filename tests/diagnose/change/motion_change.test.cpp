@@ -8,7 +8,7 @@
 
 using namespace plumbline;
 using namespace plumbline::diagnose;
-using motion::Drive, motion::MotionLog, motion::Term;
+using motion::MotionLog, motion::Term;
 
 namespace {
 
@@ -20,7 +20,7 @@ motion::Bench logs_of(Term term, double value, double sigma, unsigned seed) {
   bench.name = "servo";
   bench.nominal = motion::planted_drive(Term::command_delay, 0);
   bench.sigma = encoder;
-  Drive<double> drive = motion::planted_drive(Term::command_delay, 0.02);
+  motion::Drive<double> drive = motion::planted_drive(Term::command_delay, 0.02);
   drive[term] += value;
   for (const double gain : {8.0, 16.0}) bench.logs.push_back(motion::test_log(drive, gain, sigma, seed++));
   return bench;

@@ -169,8 +169,9 @@ TEST_CASE(
     Experiment bench = on_bench(folder, one.name, arm_in(folder, one.name));
     Eigen::Isometry3d& tip = bench.arm_bench.points[0].at.frame;
     diagnose::Calibration found;
-    found.frames.push_back({"tracker", tracker, Eigen::Isometry3d::Identity(), {}, {}});
-    found.frames.push_back({"tip", tip, tip, {}, {}});
+    found.frames.push_back(
+        {diagnose::SolvedFrame::Of::tracker, "tracker", tracker, Eigen::Isometry3d::Identity(), {}, {}});
+    found.frames.push_back({diagnose::SolvedFrame::Of::point, "tip", tip, tip, {}, {}});
     tip.translate(Eigen::Vector3d(0.02, -0.01, 0.03));
     found.frames.back().at = tip;
     bench.arm_bench.calibration = std::make_shared<const diagnose::Calibration>(found);
