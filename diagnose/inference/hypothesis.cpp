@@ -84,25 +84,42 @@ Eigen::Map<const VectorXd> vector(const std::vector<double>& values) {
 bool is_short(const std::vector<ParameterRange>& ranges, const VectorXd& step) {
   constexpr double next_to = 0.1;
   for (std::size_t p = 0; p < ranges.size(); ++p)
-    if (std::abs(step(static_cast<Eigen::Index>(p))) > next_to * ranges[p].scale) return false;
+    if (!(std::abs(step(static_cast<Eigen::Index>(p))) <= next_to * ranges[p].scale)) return false;
   return true;
 }
 
-/// The parameters after a damped step of Gauss and Newton, within their bounds.
+/// The parameters after a damped step of Gauss and Newton: those that it would lead beyond their bounds end
+/// there, and the others make the best of that.
 std::vector<double> stepped(const std::vector<ParameterRange>& ranges, std::vector<double> parameters,
-                            const Slope& slope, const std::vector<Eigen::Index>& free, double damping) {
-  MatrixXd curvature = slope.curvature(free, free);
-  for (std::size_t f = 0; f < free.size(); ++f) {
-    const auto k = static_cast<Eigen::Index>(f);
-    const double scale = ranges[static_cast<std::size_t>(free[f])].scale;
-    curvature(k, k) += damping * std::max(curvature(k, k), 1 / (scale * scale));
+                            const Slope& slope, std::vector<Eigen::Index> free, double damping) {
+  VectorXd step = VectorXd::Zero(slope.gradient.size());
+  for (bool all_inside = false; !all_inside;) {
+    MatrixXd curvature = slope.curvature(free, free);
+    for (std::size_t f = 0; f < free.size(); ++f) {
+      const auto k = static_cast<Eigen::Index>(f);
+      const double scale = ranges[static_cast<std::size_t>(free[f])].scale;
+      curvature(k, k) += damping * std::max(curvature(k, k), 1 / (scale * scale));
+    }
+    const VectorXd left = slope.gradient - slope.curvature * step;
+    const VectorXd own = curvature.ldlt().solve(VectorXd(left(free)));
+    std::vector<Eigen::Index> inside;
+    std::vector<double> by;
+    for (std::size_t f = 0; f < free.size(); ++f) {
+      const auto p = static_cast<std::size_t>(free[f]);
+      const double wanted = own(static_cast<Eigen::Index>(f)), least = ranges[p].low - parameters[p],
+                   most = ranges[p].high - parameters[p];
+      if (wanted < least || wanted > most)
+        step(free[f]) = std::clamp(wanted, least, most);
+      else
+        inside.push_back(free[f]), by.push_back(wanted);
+    }
+    all_inside = inside.size() == free.size();
+    for (std::size_t f = 0; all_inside && f < free.size(); ++f) step(free[f]) = by[f];
+    free = std::move(inside);
   }
-  const VectorXd step = curvature.ldlt().solve(VectorXd(slope.gradient(free)));
-  for (std::size_t f = 0; f < free.size(); ++f) {
-    const auto p = static_cast<std::size_t>(free[f]);
+  for (std::size_t p = 0; p < parameters.size(); ++p)
     parameters[p] =
-        std::clamp(parameters[p] + step(static_cast<Eigen::Index>(f)), ranges[p].low, ranges[p].high);
-  }
+        std::clamp(parameters[p] + step(static_cast<Eigen::Index>(p)), ranges[p].low, ranges[p].high);
   return parameters;
 }
 
@@ -142,32 +159,35 @@ Hypothesis maximised(const Study& study, const Likelihood& likelihood, const Can
     best.converged = false;
     return best;
   }
+  constexpr double least_damping = 1e-9;
   double damping = 1e-4;
   for (int iteration = 0; iteration < effort.iterations && !ranges.empty(); ++iteration) {
     const Slope slope = slope_of(ranges, best, effort);
     const std::vector<Eigen::Index> free = free_parameters(ranges, best, slope.gradient);
     if (free.empty()) break;
+    Hypothesis next = best;
+    next.parameters = stepped(ranges, best.parameters, slope, free, least_damping);
+    const VectorXd whole = vector(next.parameters) - vector(best.parameters);
+    if (slope.gain(whole) < effort.gain && is_short(ranges, whole)) {
+      // The last steps are taken by the derivatives that are there, until one that ends at a bound moves no
+      // other.
+      constexpr double nothing = 1e-3;  // of what counts
+      next.residual += best.jacobian * whole;
+      look(next);
+      const double gained = next.log_posterior - best.log_posterior;
+      if (gained > 0) best = std::move(next);
+      if (!(gained > nothing * effort.gain)) break;
+      continue;
+    }
     double gain = 0;
     for (int attempt = 0; attempt < 5; ++attempt) {
-      Hypothesis next;
+      next = {};
       next.candidate = candidate;
       next.parameters = stepped(ranges, best.parameters, slope, free, damping);
-      const VectorXd step = vector(next.parameters) - vector(best.parameters);
-      if (!step.allFinite()) break;
-      if (slope.gain(step) < effort.gain && is_short(ranges, step)) {
-        if (attempt > 0) break;
-        // So short a step is taken by the derivatives that are there.
-        next.residual = best.residual + best.jacobian * step;
-        next.jacobian = best.jacobian;
-        next.converged = true;
-        look(next);
-        if (next.log_posterior > best.log_posterior) best = std::move(next);
-        break;
-      }
       if (evaluate(next) && next.log_posterior > best.log_posterior) {
         gain = next.log_posterior - best.log_posterior;
         best = std::move(next);
-        damping = std::max(1e-9, damping / 10);
+        damping = std::max(least_damping, damping / 10);
         break;
       }
       // A step that went too far is shortened at once: to three quarters, a quarter, a thirtieth, …
