@@ -4,6 +4,7 @@ usage: output_formats.test.py PLUMBLINE
 """
 import json
 import math
+import random
 import shutil
 import tempfile
 from pathlib import Path
@@ -123,6 +124,25 @@ def column(folder):
     (folder / "press.csv").write_text("\n".join(lines) + "\n", encoding="utf-8")
 
 
+def filmed(folder):
+    """Three rigid joints of a model without masses, whose tip a camera of unknown pose and focal length sees, and a gauge above the floor."""
+    folder.mkdir()
+    (folder / "experiment.toml").write_text(
+        'format = "chain-experiment/1"\nname = "filmed"\n[arm]\nframes = "unknown"\ntip_xyz = [0.4, 0, 0]\n'
+        '[[arm.joint]]\n[[arm.joint]]\nxyz = [0, 0, 0.3]\naxis = [0, 1, 0]\n[[arm.joint]]\nxyz = [0.5, 0, 0]\naxis = [0, 1, 0]\n'
+        '[[arm.sensor]]\nname = "eye"\nkind = "camera"\nxyz = [2, 0.1, 0.4]\n'
+        '[[arm.sensor]]\nname = "floor"\nkind = "plane"\n[noise]\npixel = 0.05\nheight = 1e-5\n[[run]]\nid = "seen"\nsamples = "seen.csv"\n', encoding="utf-8")
+    noise, lines = random.Random(1), ["q_command1,q_command2,q_command3,eye_u,eye_v,floor"]
+    for _ in range(60):
+        turn, shoulder, elbow = (noise.uniform(-0.8, 0.8) for _ in range(3))
+        out = 0.5 * math.cos(shoulder) + 0.4 * math.cos(shoulder + elbow)
+        x, y, z = out * math.cos(turn), out * math.sin(turn), 0.3 - 0.5 * math.sin(shoulder) - 0.4 * math.sin(shoulder + elbow)
+        u, v = (1400 * side / (2 - x) + noise.gauss(0, 0.05) for side in (y - 0.1, 0.4 - z))
+        lines.append(f"{turn:.6f},{shoulder:.6f},{elbow:.6f},{u:.4f},{v:.4f},{z + noise.gauss(0, 1e-5):.6f}")
+    (folder / "seen.csv").write_text("\n".join(lines) + "\n", encoding="utf-8")
+    return written("diagnose", folder.name, folder=folder.parent)
+
+
 def reports(folder):
     linear = lambda joint, d, k: k * d
     rippled = lambda joint, d, k: k * d + (0.12 * math.sin(25 * d) if joint == 1 else 0)
@@ -174,7 +194,8 @@ def reports(folder):
     settings = (folder / "anywhere" / "experiment.toml").read_text(encoding="utf-8")
     (folder / "anywhere" / "experiment.toml").write_text(settings.replace("[arm]\n", "[arm]\nframes = \"unknown\"\n", 1), encoding="utf-8")
     anywhere = written("diagnose", "anywhere", folder=folder)
-    hold("gap-diagnosis", [changed, anywhere, *verdicts.values(), on_its_side, rough, partly, humming, slip, bundled, edited, arm])
+    hold("gap-diagnosis", [changed, anywhere, *verdicts.values(), on_its_side, rough, partly, humming, slip, bundled, edited, arm,
+                           filmed(folder / "filmed"), written("diagnose", str(SCHEMAS.parent / "examples" / "draw-wires"), folder=folder)])
 
 
 def trial(folder):
