@@ -98,11 +98,6 @@ def put_slip(truth, bench, place, amount, random):
     truth.joints[place].shift = lambda time, q: np.where(time > when, step, 0.0)
 
 
-def put_drift(truth, bench, place, amount, random):
-    rate = amount * random.choice([-1, 1]) / duration(bench)
-    truth.joints[place].shift = lambda time, q: rate * time
-
-
 def put_table(truth, bench, place, amount, random):
     nominal = np.concatenate(clean_readings(bench, Truth.none(bench.size)))
     heights = shape(nominal, bench.length)[1][:, -1, 1]
@@ -131,11 +126,6 @@ def one_history(b):
     return b.clock and len(b.runs) == 1
 
 
-def no_drift_of_load(b):
-    """A rest angle that drifts reads as a load sensor that does."""
-    return one_history(b) and not b.by_sensor and b.kind != "poses"
-
-
 def swept(b):
     return b.sweep
 
@@ -149,7 +139,6 @@ CAUSES = (
     Outside("a spring softens as it warms up", put_warming, lambda b, p: 0.1, lambda b: one_history(b) and swept(b), most=40),
     Outside("a leaf of a spring breaks", put_break, lambda b, p: 0.1, lambda b: one_history(b) and swept(b), most=40),
     Outside("the clamp slips once", put_slip, turned(0.1), one_history),
-    Outside("the mounting drifts", put_drift, turned(0.1), no_drift_of_load),
     Outside("the end point touches a table", put_table, lambda b, p: b.stiffness[0] / b.length.sum() ** 2, lambda b: is_chain(b) and weighed(b),
             everywhere),
     Outside("a spring from the base balances the arm", put_balance, torque(0.3), lambda b: b.kind in ("poses", "sweep"), lambda b: [0]),
