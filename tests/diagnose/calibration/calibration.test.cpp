@@ -114,6 +114,17 @@ TEST_CASE("a wrist's joint whose gear turns with the one before sticks out of wh
   CHECK(found.beside.front().label() == "gear_coupling(5)");
 }
 
+TEST_CASE("an arm whose link bends far beyond what is linear is calibrated all the same") {
+  Truth truth(7, 21);
+  truth.add({"link_bending", 4}, {1 / 220.0});  // 1/(N m^2): some centimetres under the weight at the tip
+  Experiment experiment = as_given(arm_bench(collaborative_arm(), 80), truth.candidate, truth.parameters, 22);
+  experiment.arm_bench.frames = ArmBench::Frames::unknown;
+  const Study study = calibrated(Study(experiment));
+  CHECK(study.nominal().reached);
+  const Calibration& found = calibration_of(study);
+  CHECK(found.corrected.of(Channel::Name::place) < found.nominal.of(Channel::Name::place));
+}
+
 TEST_CASE("a joint that yields is seen through a model without masses, by those of links alike in density") {
   Experiment experiment = arm_bench(industrial_arm(0), 80);
   for (Run& run : experiment.runs)
