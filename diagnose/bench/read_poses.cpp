@@ -85,14 +85,12 @@ class Columns {
     const ArmSensor& sensor = bench.sensors[number];
     for (std::size_t i = 0; i < sensor.kind->numbers; ++i) {
       const Channel channel = sensor.channel(number, i, joints_, bench.points.size());
-      const bool length = channel.sensor() == Sensor::distance, pixel = channel.sensor() == Sensor::pixel;
-      add(sensor.name + std::string(sensor.kind->column[i]),
-          length  ? quantity::length
-          : pixel ? quantity::pixel
-                  : quantity::angle,
+      const Quantity& reads = quantity_of(channel.sensor());
+      const bool length = &reads == &quantity::length, angle = &reads == &quantity::angle;
+      add(sensor.name + std::string(sensor.kind->column[i]), reads,
           length  ? place_
-          : pixel ? si_unit(quantity::pixel)
-                  : angle_,
+          : angle ? angle_
+                  : si_unit(reads),
           Says::channel)
           .reads = channel;
     }

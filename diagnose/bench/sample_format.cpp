@@ -14,6 +14,27 @@
 #include "support/files/printable.hpp"
 
 namespace plumbline::diagnose {
+
+const Quantity& quantity_of(Sensor sensor) {
+  switch (sensor) {
+    case Sensor::position:
+    case Sensor::distance:
+      return quantity::length;
+    case Sensor::pixel:
+      return quantity::pixel;
+    case Sensor::force:
+    case Sensor::second_force:
+      return quantity::force;
+    case Sensor::torque:
+    case Sensor::second_torque:
+      return quantity::torque;
+    case Sensor::angle:
+    case Sensor::orientation:
+      break;
+  }
+  return quantity::angle;
+}
+
 namespace {
 
 char delimiter(const Section& csv) {
@@ -173,26 +194,6 @@ void read_columns(const Section& columns, SampleFormat& format) {
   if (columns.has("q")) format.absolute_angles = are_absolute("q");
   if (columns.has("q_command")) format.absolute_commands = are_absolute("q_command");
   if (columns.has("covariate")) read_covariates(columns.table("covariate"), format);
-}
-
-const Quantity& quantity_of(Sensor sensor) {
-  switch (sensor) {
-    case Sensor::position:
-    case Sensor::distance:
-      return quantity::length;
-    case Sensor::pixel:
-      return quantity::pixel;
-    case Sensor::force:
-    case Sensor::second_force:
-      return quantity::force;
-    case Sensor::torque:
-    case Sensor::second_torque:
-      return quantity::torque;
-    case Sensor::angle:
-    case Sensor::orientation:
-      break;
-  }
-  return quantity::angle;
 }
 
 /// The column of a channel in the unit of its kind.

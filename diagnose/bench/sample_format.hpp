@@ -85,6 +85,9 @@ Column& add_covariate(SampleFormat& format, const std::string& name, const std::
 /// \throws Error that names file, line and key
 SampleFormat read_sample_format(const Section& section, SampleFormat format);
 
+/// What a kind of sensor reads.
+const Quantity& quantity_of(Sensor sensor);
+
 /// A column of its own name.
 /// \param place  of the key that names it, or empty
 Column own_column(const std::string& channel, const Quantity* quantity, const std::string& place = "");

@@ -8,6 +8,7 @@
 #include <plumbline/base/error.hpp>
 
 #include "diagnose/bench/roll_pitch_yaw.hpp"
+#include "diagnose/bench/sample_format.hpp"
 #include "diagnose/draft/column_numbers.hpp"
 #include "diagnose/draft/joint_columns.hpp"
 #include "support/files/printable.hpp"
@@ -136,9 +137,7 @@ class ArmTableReader {
         const std::size_t column = sensor.columns[i];
         double most = 0;
         for (const double value : finite(source_.numbers(column))) most = std::max(most, std::abs(value));
-        const Quantity& of = sensor.kind->reads == Channel::Name::pixel         ? quantity::pixel
-                             : sensor.kind->reads == Channel::Name::inclination ? quantity::angle
-                                                                                : quantity::length;
+        const Quantity& of = quantity_of(kind_of(sensor.kind->reads).sensor);
         const bool small = &of == &quantity::length && most > far * reach,
                    turned = &of == &quantity::angle && most > quarter;
         put(sensor.name + std::string(sensor.kind->column[i]), column, of,

@@ -187,21 +187,14 @@ void Study::resolve_motions() {
   std::vector<double> typical;
   for (const Parameter& one : unknown_) typical.push_back(one.guess);
   const Drive<double> stated = drive(unknown_, typical);
-  const auto resolve = [&](const std::vector<MotionLog>& logs, Segment& part) {
-    const InitialState begin = initial_state(logs[part.log], part.first);
+  const auto resolve = [&](MotionLog& log, Segment& part) {
+    const InitialState begin = initial_state(log, part.first);
     for (int halving = 0; halving < most_halvings; ++halving, part.step /= 2)
-      if (step_error(stated, logs[part.log], part, begin)[0] < resolved * bench_.sigma) return;
+      if (step_error(stated, log, part, begin)[0] < resolved * bench_.sigma) break;
+    log.step = std::min(log.step, part.step);
   };
-  for (Segment& one : segments_) {
-    resolve(bench_.logs, one);
-    double& whole = bench_.logs[one.log].step;
-    whole = std::min(whole, one.step);
-  }
-  for (std::size_t i = 0; i < bench_.held_out.size(); ++i)
-    for (Segment one : segments_of({bench_.held_out[i]}, segment_duration)) {
-      resolve({bench_.held_out[i]}, one);
-      bench_.held_out[i].step = std::min(bench_.held_out[i].step, one.step);
-    }
+  for (Segment& one : segments_) resolve(bench_.logs[one.log], one);
+  for (Segment one : segments_of(bench_.held_out, segment_duration)) resolve(bench_.held_out[one.log], one);
 }
 
 std::vector<Quantities> Study::numerical_errors(const std::vector<Parameter>& parameters,
