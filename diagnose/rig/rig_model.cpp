@@ -148,16 +148,9 @@ void RigModel<Bandwidth>::add_torque(std::size_t joint, double value, double slo
 template <int Bandwidth>
 template <bool derivatives>
 void RigModel<Bandwidth>::add_stated(std::size_t joint, double q, const Vector2& force, At& at) const {
-  const JointLaw& law = step_->run.joint[joint];
-  const JointMemory& last = step_->memory[joint];
-  const std::size_t s = law.direction;
-  const Torque motion =
-      s < law.slider.size() && !step_->interval.relaxed
-          ? law.dry(law.slider[s], last.slider[s], q, last, (*contact_)[layout_.contact(joint, s)])
-          : Torque{};
-  const TimeStep& interval = step_->interval;
-  const StatedTorque::Place place{q, q - law.rest, interval.end, law.stiffness, force, interval.covariates};
-  for (const StatedTorque& one : law.stated) {
+  const Torque motion = direction_of_motion(*step_, joint, q, contact_->data() + layout_.contact(joint, 0));
+  const StatedTorque::Place place = stated_place(*step_, joint, q, force);
+  for (const StatedTorque& one : step_->run.joint[joint].stated) {
     const double value = one.value(place, motion.value);
     if constexpr (!derivatives) {
       add_torque<false>(joint, value, 0, at);
