@@ -52,6 +52,11 @@ struct NominalChain {
   [[nodiscard]] const char* torque_unit(std::size_t joint) const { return slides(joint) ? "N" : "N m"; }
   /// A joint alone has none.
   [[nodiscard]] bool has_links() const { return end().has_links; }
+  /// Whether readings are poses that are visited, as those of an arm in space; else they lie on the way of a
+  /// command, along which values are alike and history is known.
+  [[nodiscard]] bool visits_poses() const { return arm != nullptr; }
+  /// Names that its file gives the joints; none where it numbers them.
+  [[nodiscard]] std::vector<std::string> joint_names() const;
   /// Whether it is a chain in a plane, whose end point may be put or loaded.
   [[nodiscard]] bool is_planar() const { return !arm && has_links(); }
   /// Whether it has springs and weights alone.

@@ -251,7 +251,7 @@ std::vector<CandidateRun> runs_from(const Experiment& experiment, const Shape& s
 
 std::vector<CandidateRun> candidate_runs(const Experiment& experiment, std::size_t most_shapes,
                                          const OperatingEnvelope& so_far) {
-  if (experiment.arm) return candidate_poses(experiment);
+  if (experiment.visits_poses()) return candidate_poses(experiment);
   std::vector<CandidateRun> all = commanded_runs(experiment, so_far);
   const std::vector<Shape> from = shapes(experiment, most_shapes);
   for (CandidateRun& one : load_sweeps(experiment, from, so_far)) all.push_back(std::move(one));
