@@ -37,8 +37,7 @@ def units():
     """A row for each kind of quantity, with its symbols; a factor that is no power of ten stands beside its symbol."""
     rows = rows_of("unit.cpp", r'Symbol\{"', r'([^"]+)", "([^"]+)", (\w+)(, 180)?\}')
     yield ("\n## Symbols of units\n\nA unit is a product of symbols with powers, separated by blanks, `*` or `·`; symbols after a `/` divide: `\"N mm/rad\"`,\n"
-           "`\"m/s^2\"`. A number is a factor: `\"0.0879 deg\"` for a count of an encoder. Decimals are exact: `300` mm and `0.3` m are the same\n"
-           "number.\n\n| of | symbols, factors to SI |\n|---|---|\n")
+           "`\"m/s^2\"`. A number is a factor: `\"0.0879 deg\"`, a count of an encoder. Decimals are exact.\n\n| of | symbols, factors to SI |\n|---|---|\n")
     for kind in dict.fromkeys(row[2] for row in rows):
         shown = [f"`{name}`" + ("" if turns or re.fullmatch(r"1(e.*)?", factor) else f" {factor}")
                  for name, factor, own, turns in rows if own == kind and GREEK_MU not in name]

@@ -17,9 +17,9 @@ HERE = Path(__file__).resolve().parent
 TARGET = HERE / "reference.md"
 HEAD = """# Reference: what files say
 
-Written by `docs/reference.py` out of the [schemas](schemas), which editors show at a key, and of the tables in code. Keys in **bold** are required.
-SI units and radians; joints, links, tables count from 1, readings of a run from 0. An effect is written `id`, or `id(j)` at joint or link j
-([catalogue](effects.md)).
+`docs/reference.py` writes this page out of the [schemas](schemas), which editors show at a key, and of tables in code. Keys in **bold** are required.
+Units are SI and radians; joints, links, tables count from 1, readings of a run from 0. An [effect](effects.md) is written `id`, or `id(j)` at joint or
+link j.
 """
 # (schema, heading, what it is, words behind the headings of its tables; False: they have none)
 FORMATS = [
@@ -66,9 +66,9 @@ class Schema:
             values = []
         return ", ".join(filter(None, [said, *values]))
 
-    def keys(self, node, said):
+    def keys(self, node, said, whatever=False):
         """The keys of a key's own table; none that its meaning names already, but for values to choose from."""
-        inner = self.members(node)
+        inner = self.members(node, whatever)
         named = all(f"`{key}`" in said for key in inner)
         return {key: one for key, one in inner.items() if not named or any(isinstance(value, str) for value in one.get("enum", []))}
 
@@ -94,7 +94,7 @@ def section(name, heading, said, divided):
     schema = Schema(name)
 
     def listed(node, whatever=False):
-        members = {key: one for key, one in schema.members(node, whatever).items() if node is not schema.root or key not in tables}
+        members = {key: one for key, one in schema.keys(node, node.get("description", ""), whatever).items() if node is not schema.root or key not in tables}
         return "".join(entries(schema, members, schema.resolved(node, whatever).get("required", [])))
 
     tables = [key for key, node in schema.members(schema.root).items() if isinstance(divided, str) and schema.members(node, whatever=True)]
@@ -113,7 +113,7 @@ def others():
     """Every schema without a section."""
     names = [path.name.split(".")[0] for path in sorted((HERE / "schemas").glob("*.schema.json"))]
     links = [f"[{name}](schemas/{name}.schema.json)" for name in names if name not in (one[0] for one in FORMATS)]
-    return ("\n## Other formats\n\nTheir schemas say what they are, and every key. Keys may be added, and those there keep their meaning.\n\n"
+    return ("\n## Other formats\n\nTheir schemas have every key. Keys may be added; those there keep their meaning.\n\n"
             + textwrap.fill(", ".join(links), 150, break_long_words=False, break_on_hyphens=False) + "\n")
 
 

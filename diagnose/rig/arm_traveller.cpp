@@ -372,7 +372,7 @@ void ArmTraveller::write(Eigen::Ref<Eigen::ArrayXd> row, const std::vector<Eigen
   const Vector3<double> tipped = turn_of_tool();
   Pose<double> camera = Pose<double>::Identity();
   camera.linear() = rotation_by(rig().place_turn);
-  camera.translation() = -camera.linear() * rig().frame_at(joints_.step().interval.end);
+  camera.translation() = -camera.linear() * rig().frame_at(joints_.interval().end);
   for (std::size_t i = 0; i < joint_.size(); ++i) {
     row(Channel(Channel::Name::q, i).column) =
         coordinate_(joint_[i]) - rig().encoder[i].off(joints_.on().command[i]);

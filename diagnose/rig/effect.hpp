@@ -81,7 +81,7 @@ struct Effect {
   bool outside = false;
 };
 
-/// All effects, in the order of docs/effects.md.
+/// All effects, in the order of diagnose/rig/effects/README.md.
 const std::vector<Effect>& catalogue();
 
 /// Ids of former releases, and those that they have now.

@@ -11,7 +11,7 @@ const Reading& JointStates::head_for(const Stop& stop, const Passage& passage) {
   const Reading& led = command_.at(stop);
   interval_ = passage.first ? TimeStep{} : time_step(on_, passage.dt);
   interval_.end = stop.reading.t;
-  interval_.covariates = stop.reading.covariates;
+  interval_.covariates = led.covariates;
   if (!led.rest.empty()) on_.turn_to(led.rest);
   for (std::size_t i = 0; i < memory_.size(); ++i) {
     const double rest = on_.joint[i].rest;

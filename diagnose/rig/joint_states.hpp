@@ -39,6 +39,8 @@ class JointStates {
   [[nodiscard]] const RunRig& on() const { return on_; }
   [[nodiscard]] const Rig& rig() const { return on_.rig; }
   [[nodiscard]] const std::vector<JointMemory>& memory() const { return memory_; }
+  /// Of the last step.
+  [[nodiscard]] const TimeStep& interval() const { return interval_; }
   [[nodiscard]] RigStep step() const { return {on_, interval_, memory_}; }
 
  private:

@@ -130,13 +130,13 @@ class Walk {
     statics_.write(beside, r, direction_.x(), row);
     const RunRig& on = statics_.joints(beside).on();
     if (on.rig.stated_corrections.empty()) return true;
-    const Reading& reading = run_.readings[r];
+    const TimeStep& now = statics_.joints(beside).interval();
     Eigen::ArrayXd added = Eigen::ArrayXd::Zero(row.size());
     for (const StatedCorrection& one : on.rig.stated_corrections) {
       for (const Channel& channel : measured_) {
         if (!one.applies_to(channel)) continue;
-        const Moment moment{reading.t, run_.number, direction_of(channel), on.joint[channel.joint].rest,
-                            reading.covariates};
+        const Moment moment{now.end, run_.number, direction_of(channel), on.joint[channel.joint].rest,
+                            now.covariates};
         added(channel.column) += one.value(reading_values(row, moment, channel));
       }
     }
