@@ -36,7 +36,7 @@ Study corrected(const Study& study, const Diagnosis& diagnosis) {
 double log_simplicity(const Diagnosis& diagnosis) {
   if (!diagnosis.gap.present || diagnosis.cause.ranking.empty()) return std::log(priors::no_gap);
   const Hypothesis& best = diagnosis.cause.ranking.front().hypothesis;
-  return std::log((1 - priors::no_gap) * (1 - priors::outside)) + best.log_prior + best.volume.log();
+  return std::log((1 - priors::no_gap) * (1 - priors::outside)) + best.log_prior + best.log_volume;
 }
 
 /// \param part  of the progress

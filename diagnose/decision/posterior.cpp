@@ -59,7 +59,7 @@ void split(std::vector<Way>& all, Way way, double log_odds) {
 void add_listed(std::vector<Way>& all, const Findings& findings, std::size_t i, double log_prior) {
   const Hyperpriors& priors = findings.likelihood->priors();
   const Hypothesis& one = findings.hypotheses[i];
-  const double volume = one.volume.log();
+  const double volume = one.log_volume;
   const auto add = [&](Way::Of of, double share, const std::vector<double>& log_amplitude) {
     all.push_back({of, i, log_prior + std::log(share),
                    volume + log_sum(sum(one.look.log_by_amplitude, log_amplitude)),
@@ -82,7 +82,7 @@ void add_beside_torque(std::vector<Way>& all, const Study& study, const Findings
   const Hyperpriors& priors = findings.likelihood->priors();
   const Hypothesis& one = findings.hypotheses[i];
   const double left = expected(one.look.log_by_amplitude, priors.log_amplitude, one.look.discrepancy);
-  const Way way{Way::Of::outside, i, log_prior, one.volume.log() + one.look.log_likelihood, left};
+  const Way way{Way::Of::outside, i, log_prior, one.log_volume + one.look.log_likelihood, left};
   if (labels_of(one.candidate).empty())
     all.push_back(way);
   else

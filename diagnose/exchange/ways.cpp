@@ -2,7 +2,7 @@
 
 #include <map>
 #include <plumbline/base/error.hpp>
-#include <set>
+#include <string>
 
 namespace plumbline::exchange {
 namespace {
@@ -60,132 +60,156 @@ constexpr Way no_coupling{false, "joints of this format are not coupled"};
 constexpr Way no_travel{false, "the range of the joint, which is left as it is"};
 constexpr Way no_slip{false, "springs of this format do not slip at their fixture"};
 constexpr Way no_delay{false, "sensors of this file follow, and have no delay"};
+constexpr Way no_covariate{false, "of the sensors of covariates, not of the chain"};
 constexpr Way no_creep{false, "sensors of this format do not creep"};
 constexpr Way no_point{false, "this format has no place for where a force acts"};
 
-/// Rows that any simulator of bodies carries, or none.
-const std::map<std::string_view, Way>& everywhere() {
-  static const std::map<std::string_view, Way> all{{"joint_stiffness", stiffness},
-                                                   {"stiffness_scale", stiffness},
-                                                   {"stiffness_spread", stiffness},
-                                                   {"rest_angle", springref},
-                                                   {"rest_offset", springref},
-                                                   {"rest_spread", springref},
-                                                   {"tendon_friction", rest_shape},
-                                                   {"link_length", body_places},
-                                                   {"length_scale", body_places},
-                                                   {"length_spread", body_places},
-                                                   {"gravity", masses},
-                                                   {"mass_scale", scaled_masses},
-                                                   {"tip_payload", payload},
-                                                   {"base_compliance", base_slides},
-                                                   {"train_compliance", base_slide},
-                                                   {"backlash", two_hinges},
-                                                   {"play", two_hinges},
-                                                   {"joint_friction", frictionloss},
-                                                   {"friction_spread", frictionloss},
-                                                   {"axial_compliance", stretch},
-                                                   {"link_bending", beam},
-                                                   {"position_offset", offset},
-                                                   {"pulley_friction", no_pulley},
-                                                   {"moment_arm", no_tendon},
-                                                   {"capstan_friction", no_tendon},
-                                                   {"camera_scale", no_camera},
-                                                   {"camera_turn", no_camera},
-                                                   {"run_rest", runs},
-                                                   {"run_tare", runs},
-                                                   {"load_friction", constant},
-                                                   {"direction_friction", constant},
-                                                   {"speed_friction", constant},
-                                                   {"cell_curvature", no_curve},
-                                                   {"second_zero", no_second_sensor},
-                                                   {"second_gain", no_second_sensor},
-                                                   {"link_mass", masses},
-                                                   {"link_centre", no_centre},
-                                                   {"joint_scale", no_servo},
-                                                   {"gear_coupling", no_servo},
-                                                   {"gravity_compensation", no_servo},
-                                                   {"encoder_ripple", no_servo},
-                                                   {"command_delay", no_servo},
-                                                   {"joint_balance", no_counterweight},
-                                                   {"angle_bias", no_joint_sensor},
-                                                   {"angle_scale", no_joint_sensor},
-                                                   {"torque_bias", no_joint_sensor},
-                                                   {"torque_scale", no_joint_sensor},
-                                                   {"angle_drift", no_joint_sensor},
-                                                   {"angle_cross_talk", no_joint_sensor},
-                                                   {"angle_lag", no_joint_sensor},
-                                                   {"tilt_bias", no_joint_sensor},
-                                                   {"tilt_scale", no_joint_sensor},
-                                                   {"tilt_drift", no_joint_sensor},
-                                                   {"tilt_cross_talk", no_joint_sensor},
-                                                   {"tilt_lag", no_joint_sensor},
-                                                   {"torque_drift", no_joint_sensor},
-                                                   {"torque_cross_talk", no_joint_sensor},
-                                                   {"torque_lag", no_joint_sensor},
-                                                   {"command_drift", no_servo},
-                                                   {"second_drift", no_second_sensor},
-                                                   {"second_cross_talk", no_second_sensor},
-                                                   {"second_lag", no_second_sensor},
-                                                   {"place_drift", no_camera},
-                                                   {"place_lag", no_camera},
-                                                   {"camera_skew", no_camera},
-                                                   {"upper_limit", no_travel},
-                                                   {"lower_limit", no_travel},
-                                                   {"series_friction", no_slip},
-                                                   {"sensor_creep", no_creep},
-                                                   {"plastic_set", no_set}};
+constexpr Way no_range{false, "a range of this format has no stiffness"};
+
+/// A row of the catalogue, by its id; or one of several forms of it, by a parameter that this form alone has.
+struct Row {
+  constexpr Row(const char* of, const char* own = "") : id(of), parameter(own) {}
+  constexpr Row(std::string_view of, std::string_view own) : id(of), parameter(own) {}
+  std::string_view id, parameter;
+  auto operator<=>(const Row&) const = default;
+};
+
+/// Those of the three formats of simulators. MJCF couples joints, and drives and reads them.
+struct Ways {
+  constexpr Ways(const Way& all) : Ways(all, all) {}
+  constexpr Ways(const Way& of_mjcf, const Way& others) : Ways(of_mjcf, others, others) {}
+  constexpr Ways(const Way& of_mjcf, const Way& of_sdf, const Way& of_urdf)
+      : mjcf(of_mjcf), sdf(of_sdf), urdf(of_urdf) {}
+  Way mjcf, sdf, urdf;
+};
+
+std::map<Row, Ways> table_of_ways() {
+  std::map<Row, Ways> all{
+      {"joint_stiffness", stiffness},
+      {"stiffness_scale", stiffness},
+      {"stiffness_spread", stiffness},
+      {"rest_angle", springref},
+      {"rest_offset", springref},
+      {"rest_spread", springref},
+      {"tendon_friction", rest_shape},
+      {"link_length", body_places},
+      {"length_scale", body_places},
+      {"length_spread", body_places},
+      {"gravity", masses},
+      {"mass_scale", scaled_masses},
+      {"tip_payload", payload},
+      {"base_compliance", base_slides},
+      {"train_compliance", base_slide},
+      {"backlash", two_hinges},
+      {"play", two_hinges},
+      {"joint_friction", frictionloss},
+      {"friction_spread", frictionloss},
+      {"axial_compliance", stretch},
+      {"link_bending", beam},
+      {"position_offset", offset},
+      {"pulley_friction", no_pulley},
+      {"moment_arm", no_tendon},
+      {"capstan_friction", no_tendon},
+      {"camera_scale", no_camera},
+      {"camera_turn", no_camera},
+      {"run_rest", runs},
+      {"run_tare", runs},
+      {"load_friction", constant},
+      {"direction_friction", constant},
+      {"speed_friction", constant},
+      {"cell_curvature", no_curve},
+      {"second_zero", no_second_sensor},
+      {"second_gain", no_second_sensor},
+      {"link_mass", masses},
+      {"link_centre", no_centre},
+      {"joint_scale", no_servo},
+      {"gear_coupling", no_servo},
+      {"gravity_compensation", no_servo},
+      {"encoder_ripple", no_servo},
+      {"command_delay", no_servo},
+      {"joint_balance", no_counterweight},
+      {"command_drift", no_servo},
+      {"second_drift", no_second_sensor},
+      {"second_cross_talk", no_second_sensor},
+      {"second_lag", no_second_sensor},
+      {"place_drift", no_camera},
+      {"place_lag", no_camera},
+      {"camera_skew", no_camera},
+      {"upper_limit", no_travel},
+      {"lower_limit", no_travel},
+      {"series_friction", no_slip},
+      {"sensor_creep", no_creep},
+      {"plastic_set", no_set},
+      {"nonlinear_spring", {quartic, linear}},
+      {"hardening_spread", {quartic, linear}},
+      {"joint_stop", {stop, range, no_range}},
+      {"joint_stops", {stop, range, no_range}},
+      {"joint_coupling", {shared, no_coupling}},
+      {"tip_stiffness", {shared, no_coupling}},
+      {"viscoelasticity", {maxwell, no_coupling}},
+      {"asymmetric_spring", {side, linear}},
+      {"relaxation_spectrum", {maxwell, no_coupling}},
+      {"hysteresis", {jenkins, no_coupling}},
+      {"eccentric_load", {load_site, no_point}},
+      {"force_bias", {cell_zero, no_bench}},
+      {"force_gain", {cell_scale, no_bench}},
+      {"cross_talk", {cell_scale, no_bench}},
+      {"sensor_drift", {cell_drift, no_bench}},
+      {"saturation", {cell_limit, no_bench}},
+      {"sensor_lag", {cell_lag, no_bench}},
+      {"rail_misalignment", {rail, no_bench}},
+      {"guide_friction", {guide, no_bench}},
+      {"piecewise_spring", {ramps, linear}},
+      {{"joint_friction", "d_s"}, {jenkins, no_presliding}},
+      {{"sensor_lag", "delay"}, {no_delay, no_bench}},
+      {"command_scale", no_servo},
+      {"applied_bias", no_tendon},
+      {"applied_scale", no_tendon},
+      {"applied_drift", no_tendon},
+      {"applied_lag", no_tendon},
+      {"covariate_lag", no_covariate},
+  };
+  for (const char* id : {"angle_bias", "angle_scale", "angle_drift", "angle_cross_talk", "angle_lag",
+                         "tilt_bias", "tilt_scale", "tilt_drift", "tilt_cross_talk", "tilt_lag",
+                         "torque_bias", "torque_scale", "torque_drift", "torque_cross_talk", "torque_lag"})
+    all.emplace(id, no_joint_sensor);
   return all;
 }
 
-/// What takes a format that couples joints, and drives and reads them.
-const std::map<std::string_view, Way>& coupled() {
-  static const std::map<std::string_view, Way> all{
-      {"nonlinear_spring", quartic}, {"hardening_spread", quartic}, {"joint_stop", stop},
-      {"joint_stops", stop},         {"joint_coupling", shared},    {"tip_stiffness", shared},
-      {"viscoelasticity", maxwell},  {"asymmetric_spring", side},   {"relaxation_spectrum", maxwell},
-      {"hysteresis", jenkins},       {"eccentric_load", load_site}, {"force_bias", cell_zero},
-      {"force_gain", cell_scale},    {"cross_talk", cell_scale},    {"sensor_drift", cell_drift},
-      {"saturation", cell_limit},    {"sensor_lag", cell_lag},      {"rail_misalignment", rail},
-      {"guide_friction", guide},     {"piecewise_spring", ramps}};
+const std::map<Row, Ways>& ways() {
+  static const std::map<Row, Ways> all = table_of_ways();
   return all;
 }
 
-/// Effects of the bench, not of the chain.
-const std::set<std::string_view>& of_the_bench() {
-  static const std::set<std::string_view> all{"force_bias",        "force_gain",    "cross_talk",
-                                              "sensor_drift",      "saturation",    "sensor_lag",
-                                              "rail_misalignment", "guide_friction"};
-  return all;
-}
-
-Way without_coupling(Format format, std::string_view effect) {
-  if (effect == "joint_stop" || effect == "joint_stops")
-    return format == Format::sdf ? range : Way{false, "a range of this format has no stiffness"};
-  static const std::set<std::string_view> springs{"nonlinear_spring", "hardening_spread", "asymmetric_spring",
-                                                  "piecewise_spring"};
-  if (springs.contains(effect)) return linear;
-  if (of_the_bench().contains(effect)) return no_bench;
-  return effect == "eccentric_load" ? no_point : no_coupling;
+/// \throws Error for an id that no row has
+const Ways& ways_of(const diagnose::NominalEffect& effect) {
+  for (const auto& [parameter, value] : effect.parameters)
+    if (const auto form = ways().find({effect.id, parameter}); form != ways().end()) return form->second;
+  const auto row = ways().find({effect.id, ""});
+  if (row == ways().end()) throw Error("effect", effect.id, "an id of the effect catalogue");
+  return row->second;
 }
 
 }  // namespace
 
 bool adds_weight(std::string_view effect) {
-  const auto found = everywhere().find(effect.substr(0, effect.find('(')));
-  return found != everywhere().end() && found->second.weighs;
+  const auto row = ways().find({effect.substr(0, effect.find('(')), ""});
+  return row != ways().end() && row->second.mjcf.weighs;
 }
 
 Way way_of(Format format, const diagnose::NominalEffect& effect) {
-  if (format == Format::toml) return {true, "as [[nominal.effect]]"};
-  const bool gives = effect.id == "joint_friction" && effect.parameters.contains("d_s");
-  if (gives) return format == Format::mjcf ? jenkins : no_presliding;
-  const bool late = effect.id == "sensor_lag" && effect.parameters.contains("delay");
-  if (late && format == Format::mjcf) return no_delay;
-  if (const auto found = everywhere().find(effect.id); found != everywhere().end()) return found->second;
-  const auto found = coupled().find(effect.id);
-  if (found == coupled().end()) throw Error("effect", effect.id, "an id of the effect catalogue");
-  return format == Format::mjcf ? found->second : without_coupling(format, effect.id);
+  const Ways& all = ways_of(effect);
+  switch (format) {
+    case Format::mjcf:
+      return all.mjcf;
+    case Format::sdf:
+      return all.sdf;
+    case Format::urdf:
+      return all.urdf;
+    case Format::toml:
+      break;
+  }
+  return {true, "as [[nominal.effect]]"};
 }
 
 }  // namespace plumbline::exchange

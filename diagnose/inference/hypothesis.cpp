@@ -125,20 +125,12 @@ std::vector<double> stepped(const std::vector<ParameterRange>& ranges, std::vect
 
 /// Evidence by Laplace's method at the parameters.
 void weigh(const Study& study, Hypothesis& h) {
-  h.volume = {};
-  h.volume.density = log_volume(study, h);
+  h.log_volume = log_volume(study, h);
   h.log_prior = log_prior(study, h.candidate);
-  h.log_evidence = h.log_prior + h.look.log_likelihood + h.volume.log();
+  h.log_evidence = h.log_prior + h.look.log_likelihood + h.log_volume;
 }
 
 }  // namespace
-
-double Volume::log() const {
-  double sum = 0;
-  for (const double precision : precisions) sum -= 0.5 * std::log1p(precision);
-  for (const double slope : slopes) sum -= std::log1p(slope);
-  return density + sum;
-}
 
 Hypothesis maximised(const Study& study, const Likelihood& likelihood, const Candidate& candidate,
                      const std::vector<double>& start, const Effort& effort) {

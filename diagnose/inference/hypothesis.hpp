@@ -7,18 +7,6 @@
 
 namespace plumbline::diagnose {
 
-/// The share of the prior's volume that the readings leave to the parameters of a hypothesis, by Laplace's
-/// method.
-struct Volume {
-  double density = 0;  ///< log prior density times the prior's width, inside bounds; sizes summed out
-  std::vector<double>
-      precisions;  ///< of the readings along the principal axes, in units of the prior's width
-  /// Of parameters at a bound, beyond which they would go: slopes of the log likelihood, over the prior
-  /// density.
-  std::vector<double> slopes;
-  [[nodiscard]] double log() const;
-};
-
 struct Hypothesis {
   Candidate candidate;
   std::vector<double> parameters;  ///< fitted coordinates
@@ -28,10 +16,10 @@ struct Hypothesis {
   Look look;
   double log_posterior = 0;  ///< of the parameters, up to a constant: likelihood times prior density
   double log_prior = 0;      ///< of the candidate
-  Volume volume;
-  double log_evidence = 0;  ///< logarithm of prior probability times marginal likelihood
-  bool converged = false;   ///< the rig can follow the experiment
-  bool refined = false;     ///< maximised beside a discrepancy
+  double log_volume = 0;     ///< share of the prior's volume that the readings leave, by Laplace's method
+  double log_evidence = 0;   ///< logarithm of prior probability times marginal likelihood
+  bool converged = false;    ///< the rig can follow the experiment
+  bool refined = false;      ///< maximised beside a discrepancy
 };
 
 /// How far a maximisation goes.

@@ -229,7 +229,7 @@ class Searcher {
         Candidate both = from[s].candidate;
         both.effects.push_back(one.effect);
         if (find(both) == nullptr && affordable(study_, both))
-          offer(tasks, {both, one.starts, promise(one.cost, log_prior(study_, both), from[s].volume)});
+          offer(tasks, {both, one.starts, promise(one.cost, log_prior(study_, both), from[s].log_volume)});
       }
     fit_most_promising(std::move(tasks), most);
   }
@@ -247,15 +247,15 @@ class Searcher {
 
   /// Log evidence in white noise. The volume of what is extended stands for that of the whole, which is no
   /// larger.
-  [[nodiscard]] static double promise(double squares, double log_prior, const Volume& volume) {
-    return -squares / 2 + log_prior + volume.log();
+  [[nodiscard]] static double promise(double squares, double log_prior, double log_volume) {
+    return -squares / 2 + log_prior + log_volume;
   }
 
   void fit_most_promising(std::vector<Task> tasks, std::size_t most) {
     constexpr double margin = 3;  // nats, of a linear forecast
     double reached = -std::numeric_limits<double>::infinity();
     for (const Hypothesis& h : found_.hypotheses)
-      reached = std::max(reached, promise(squares(h), h.log_prior, h.volume));
+      reached = std::max(reached, promise(squares(h), h.log_prior, h.log_volume));
     std::erase_if(tasks, [&](const Task& t) { return t.promise < reached - margin; });
     std::stable_sort(tasks.begin(), tasks.end(),
                      [](const Task& a, const Task& b) { return a.promise > b.promise; });

@@ -132,7 +132,7 @@ bool shows_at_typical_size(const Study& study, const Hypothesis& h, const Slope&
 
 /// The prior's volume that the rows' parameters keep, the unknown numbers integrated out.
 double log_volume(const Study& study, const Hypothesis& h, const Slope& slope) {
-  diagnose::Volume volume;
+  double log_volume = 0;
   std::vector<Index> rows, unknown;
   std::vector<double> width;
   for (std::size_t p = 0; p < h.parameters.size(); ++p) {
@@ -144,13 +144,13 @@ double log_volume(const Study& study, const Hypothesis& h, const Slope& slope) {
     const ParameterPrior prior(h.parameters[p].range);
     const double log_density = prior.log_density(h.values[p]);
     if (h.at_bound[p]) {
-      volume.slopes.push_back(std::abs(slope.gradient(k)) / std::exp(log_density));
+      log_volume -= std::log1p(std::abs(slope.gradient(k)) / std::exp(log_density));
     } else if (slope.information(k, k) > 0) {
       rows.push_back(k), width.push_back(prior.width());
-      volume.density += log_density + std::log(prior.width()) + std::log(2 * std::numbers::pi) / 2;
+      log_volume += log_density + std::log(prior.width()) + std::log(2 * std::numbers::pi) / 2;
     }
   }
-  if (rows.empty()) return volume.log();
+  if (rows.empty()) return log_volume;
   MatrixXd precision = slope.information(rows, rows);
   if (!unknown.empty()) {
     const MatrixXd across = slope.information(unknown, rows);
@@ -159,8 +159,8 @@ double log_volume(const Study& study, const Hypothesis& h, const Slope& slope) {
   const VectorXd unit = Eigen::Map<const VectorXd>(width.data(), static_cast<Index>(width.size()));
   precision = (unit.asDiagonal() * precision * unit.asDiagonal()).eval();
   for (const double one : VectorXd(Eigen::SelfAdjointEigenSolver<MatrixXd>(precision).eigenvalues()))
-    volume.precisions.push_back(std::max(0.0, one));
-  return volume.log();
+    log_volume -= std::log1p(std::max(0.0, one)) / 2;
+  return log_volume;
 }
 
 /// Numbers that the logs cannot tell apart are as uncertain as their typical sizes allow.

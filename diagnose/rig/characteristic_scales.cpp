@@ -45,6 +45,31 @@ void find_tendons(const Experiment& experiment, CharacteristicScales& size) {
   }
 }
 
+/// The loads along the chain, and the covariates that are none.
+void find_covariates(const Experiment& experiment, CharacteristicScales& size) {
+  for (const LoadChannel& one :
+       load_channels(experiment.loads, experiment.link_length, experiment.covariates)) {
+    AppliedLoad load{one.covariate, 0};
+    for (const Run& run : experiment.runs)
+      for (const Reading& reading : run.readings)
+        load.largest = std::max(load.largest, std::abs(reading.covariates[load.covariate]));
+    size.applied.push_back(load);
+  }
+  for (std::size_t c = 0; c < experiment.covariates.size(); ++c)
+    if (std::none_of(size.applied.begin(), size.applied.end(),
+                     [&](const AppliedLoad& one) { return one.covariate == c; }))
+      size.covariates.push_back(c);
+}
+
+/// A channel that some reading has.
+void take(const Channel& channel, CharacteristicScales& size) {
+  size.measured[static_cast<std::size_t>(channel.name)] = true;
+  std::vector<Channel>& beside = size.beside_tracker;
+  if (channel.kind().index == ChannelKind::Index::sensor &&
+      std::find(beside.begin(), beside.end(), channel) == beside.end())
+    beside.push_back(channel);
+}
+
 template <class Says>
 bool any_reading(const Run& run, Says says) {
   return std::any_of(run.readings.begin(), run.readings.end(), says);
@@ -56,10 +81,14 @@ bool reads_force(const Run& run) {
          });
 }
 
+/// Whether a load cell reads both components: those that answer, or those to which a servo regulates.
 bool reads_both_forces(const Run& run) {
-  return run.holds_end_point() &&
-         any_reading(run, [](const Reading& reading) { return std::isfinite(reading[column_Fx]); }) &&
-         any_reading(run, [](const Reading& reading) { return std::isfinite(reading[column_Fy]); });
+  const auto reads = [&](ChannelColumn component) {
+    return any_reading(run, [&](const Reading& reading) {
+      return std::isfinite(reading[component]) && (run.holds_end_point() || reading[component] != 0);
+    });
+  };
+  return (run.holds_end_point() || !run.by_weights) && reads(column_Fx) && reads(column_Fy);
 }
 
 /// Whether a sensor, not known weights, says what loads an arm.
@@ -218,7 +247,7 @@ CharacteristicScales characteristic_scales(const Experiment& experiment) {
     for (const Channel& channel : run.measured())
       if (!run.planned.empty() ||
           any_reading(run, [&](const Reading& reading) { return std::isfinite(channel.of(reading)); }))
-        size.measured[static_cast<std::size_t>(channel.name)] = true;
+        take(channel, size);
     size.turns_back = size.turns_back || run.turns_back();
     size.bent_at_rest = size.bent_at_rest || std::any_of(run.rest.begin() + 1, run.rest.end(),
                                                          [](double angle) { return angle != 0; });
@@ -226,6 +255,7 @@ CharacteristicScales characteristic_scales(const Experiment& experiment) {
   size.runs = experiment.run_count;
   find_plateau(experiment, size);
   find_tendons(experiment, size);
+  find_covariates(experiment, size);
   size.duration = std::max(size.duration, 1e-3);
   size.sampling_interval = size.sampling_interval > 0 ? size.sampling_interval : size.duration;
   return size;

@@ -9,6 +9,12 @@
 
 namespace plumbline::diagnose {
 
+/// A value of a load along the chain.
+struct AppliedLoad {
+  std::size_t covariate;  ///< its number
+  double largest = 1;     ///< of its size in all readings
+};
+
 struct CharacteristicScales {
   // The device.
   std::vector<double> joint_stiffness, link_length, link_mass;  ///< nominal
@@ -35,15 +41,17 @@ struct CharacteristicScales {
   bool load_cell = false;       ///< some run reads the load or controls it by a sensor
   bool pivot = false;           ///< a drive holds or pulls the end point; weights do not
   bool clock = false;           ///< time stamps are more than the readings' numbers, 0, 1, 2, ...
-  bool measures_both_forces = false;  ///< some run reads both components of the force
-  bool turned_by_loads = false;       ///< tendons or pressures turn joints
-  bool long_tendon = false;           ///< some tendon passes several joints
-  std::size_t runs = 0;               ///< of the whole experiment
-  bool turns_back = false;            ///< the command of some run reverses
-  bool bent_at_rest = false;          ///< some rest angle, other than that of joint 1, is not zero
-  bool drives = false;                ///< a drive moves what is imposed; weights are hung
-  std::vector<bool> moves;            ///< by joint, whether its command changes
-  bool led_together = true;           ///< commands of the joints are multiples of one shape, as of one tendon
+  bool measures_both_forces = false;    ///< some run reads both components of the force
+  bool turned_by_loads = false;         ///< tendons or pressures turn joints
+  bool long_tendon = false;             ///< some tendon passes several joints
+  std::vector<AppliedLoad> applied;     ///< along the chain
+  std::vector<std::size_t> covariates;  ///< numbers of those that are no loads
+  std::size_t runs = 0;                 ///< of the whole experiment
+  bool turns_back = false;              ///< the command of some run reverses
+  bool bent_at_rest = false;            ///< some rest angle, other than that of joint 1, is not zero
+  bool drives = false;                  ///< a drive moves what is imposed; weights are hung
+  std::vector<bool> moves;              ///< by joint, whether its command changes
+  bool led_together = true;  ///< commands of the joints are multiples of one shape, as of one tendon
   std::vector<double> least_command, largest_command;  ///< by joint
   bool warms = false;                                  ///< its temperature is noted, and changes
   bool reads_encoders = false;    ///< joint angles are read by the encoders that lead the servos
@@ -51,6 +59,8 @@ struct CharacteristicScales {
   double largest_reading = 0;     ///< of |Fx| and |Fy|, where they are read
   std::size_t at_largest = 0;     ///< readings of a force that reach the largest one within their noise
   std::array<bool, channel_names> measured{};  ///< by channel name
+
+  std::vector<Channel> beside_tracker;  ///< what sensors beside a tracker read
 
   /// Stiffness of a joint; for a passive joint the mean of the elastic ones.
   [[nodiscard]] double stiffness_at(std::size_t joint) const {

@@ -37,6 +37,13 @@ std::vector<Reading> led_by(const Drive& drive, const Run& run) {
   if (run.holds_end_point() || !run.by_weights)
     for (const Channel& channel : run.imposed())
       respond(drive.response, start, all, [&](Reading& one) -> double& { return channel.in(one); });
+  for (const auto& [number, told] : drive.covariates) {
+    respond(told.response, start, all, [c = number](Reading& one) -> double& { return one.covariates[c]; });
+    for (Reading& one : all) {
+      double& value = one.covariates[number];
+      value += told.gain * value + told.zero + told.drift * one.t;
+    }
+  }
   return all;
 }
 

@@ -10,8 +10,9 @@
 namespace plumbline::diagnose {
 
 /// The readings of a run with what its drives impose in place of their commands: joint angles, a place, or a
-/// force by a load cell. Between readings commands are interpolated; before the first one they stood still,
-/// or came along the line of a run that begins moving. Weights hang without delay.
+/// force by a load cell; and with covariates in place of what is told of them. Between readings commands are
+/// interpolated; before the first one they stood still, or came along the line of a run that begins moving.
+/// Weights hang without delay.
 std::vector<Reading> led_by(const Drive& drive, const Run& run);
 
 /// A stop on the way: a reading, or a place between two of them, by their numbers.

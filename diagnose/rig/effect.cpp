@@ -14,7 +14,7 @@ const std::vector<Effect>& catalogue() {
     std::vector<Effect> rows;
     for (const auto& group : {joint_effects, joint_law_effects, friction_effects, command_effects,
                               link_effects, axis_effects, bench_effects, tool_effects, load_sensor_effects,
-                              place_sensor_effects, joint_sensor_effects, common_effects, run_effects})
+                              place_sensor_effects, sensor_effects, common_effects, run_effects})
       for (Effect& row : group()) rows.push_back(std::move(row));
     return rows;
   }();

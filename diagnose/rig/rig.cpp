@@ -13,7 +13,8 @@ Vector2 unloaded_end(const Experiment& experiment, const std::vector<double>& re
 }
 
 bool Drive::is_exact() const {
-  return response.is_prompt() && std::all_of(drift.begin(), drift.end(), [](double one) { return one == 0; });
+  return response.is_prompt() && covariates.empty() &&
+         std::all_of(drift.begin(), drift.end(), [](double one) { return one == 0; });
 }
 
 Vector3<double> Rig::seen(const Vector3<double>& place) const {

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -55,10 +56,20 @@ struct Encoder {
   friend bool operator==(const Encoder&, const Encoder&) = default;
 };
 
-/// How drives follow what they are commanded.
+/// A covariate is (1 + gain) v + zero + drift t where v is told of it, after its response.
+struct ToldValue {
+  double zero = 0, gain = 0;
+  double drift = 0;  ///< of the zero, by second
+  Response response;
+  friend bool operator==(const ToldValue&, const ToldValue&) = default;
+};
+
+/// How drives follow what they are commanded, and loads along the chain what is told of them.
 struct Drive {
   Response response;
   std::vector<double> drift;  ///< of the zero of each joint, rad/s
+  double gain = 0;            ///< of the way of an end that is held, from where it is unloaded
+  std::map<std::size_t, ToldValue> covariates;  ///< by number; others are as they are told
   [[nodiscard]] bool is_exact() const;
   friend bool operator==(const Drive&, const Drive&) = default;
 };

@@ -192,7 +192,7 @@ class RunWalk {
       rig.expect(share, dt);
       RigStep step{rig.on, moved_ ? time_step(rig.on, dt) : TimeStep{}, rig.memory};
       step.interval.end = reading.t;
-      step.interval.covariates = reading.covariates;
+      step.interval.covariates = its.covariates;
       return step;
     };
     const RigStep step = step_of(main_, led);
@@ -257,7 +257,7 @@ class RunWalk {
       row(Channel(Channel::Name::q, i).column) = q;
       row(Channel(Channel::Name::tilt, i, layout_.links).column) = tilt += q;
     }
-    correct(rig.on, reading, row);
+    correct(rig.on, rig.command.at({reading, std::nullopt, r}), row);
   }
 
   /// Adds the user's corrections to the measured channels.

@@ -45,6 +45,15 @@ struct Signal {
   }
 };
 
+/// Whether two channels are beside each other: those of joints, axes, or both numbers of one sensor.
+bool are_neighbours(const Channel& a, const Channel& b) {
+  const auto of_one_sensor = [&] {
+    return a.kind().index != ChannelKind::Index::sensor || a.joint / 2 == b.joint / 2;
+  };
+  return std::abs(a.column - b.column) == 1 && a.sensor() == b.sensor() && a.kind().index == b.kind().index &&
+         of_one_sensor();
+}
+
 /// The time of what comes before the first reading of a run that begins moving, and the value there of a
 /// channel that goes on as it begins.
 std::optional<std::pair<double, double>> start_of(const Run& run, const Eigen::ArrayXd& values) {
@@ -99,8 +108,7 @@ Trace Sensors::shown(const Run& run, Trace trace) const {
       const SensorError& own = found->second;
       shown = (1 + own.gain) * shown + own.zero + own.drift * t;
       for (const Channel& other : measured)
-        if (own.neighbours != 0 && other.sensor() == channel.sensor() &&
-            std::abs(other.column - channel.column) == 1)
+        if (own.neighbours != 0 && are_neighbours(channel, other))
           shown += own.neighbours * stands.col(other.column);
     }
     if (const Response how = response(channel.name); !how.is_prompt())

@@ -138,6 +138,8 @@ const std::vector<TypicalSize>& typical_sizes() {
       {Q::stroke_drift, "drift of those of a joint that slides", "m/s", "L / T", 0.002, -1, 1,
        per_duration<stroke>},
       {Q::place_drift, "drift of a frame", "m/s", "L / T", 0.002, -1, 1, per_duration<length>},
+      {Q::pixel_zero, "zero of a camera", "px", "1", 5, -300, 300, one},
+      {Q::pixel_drift, "drift of a camera", "px/s", "1 / T", 2, -300, 300, per_duration<one>},
       {Q::balance_torque, "torque of a counterweight", "N m", "tau", 0.1, -10, 10, torque},
       {Q::yield_torque, "torque of plastic yield", "N m", "tau", 0.3, 1e-3, 10, torque},
       {Q::slip_torque, "torque at which a spring slips at its fixture", "N m", "tau", 0.3, 1e-3, 10,

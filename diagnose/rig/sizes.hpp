@@ -49,6 +49,8 @@ enum class ParameterKind {
   angle_drift,         ///< of a sensor or a command, by time
   stroke_drift,        ///< of those of a joint that slides, by time
   place_drift,         ///< of a frame, by time
+  pixel_zero,          ///< of a camera
+  pixel_drift,         ///< of a camera, by time
   balance_torque,      ///< of a counterweight
   yield_torque,        ///< of a spring
   slip_torque,         ///< of a spring at its fixture

@@ -75,7 +75,7 @@ void Traveller::remember(const Layout& layout, const TimeStep& during) {
 Vector2 Traveller::at_end(const Run& run, const Reading& reading, double growing) const {
   const Rig& rig = on.rig;
   if (run.holds_end_point())
-    return unloaded + turned(run.imposed_at(reading) - unloaded, rig.misalignment) +
+    return unloaded + (1 + rig.drive.gain) * turned(run.imposed_at(reading) - unloaded, rig.misalignment) +
            rig.frame_at(reading.t).head<2>();
   const double passed = rig.pulley_friction == 0 ? 1 : std::exp(-rig.pulley_friction * growing);
   if (run.by_weights) return turned(passed * run.imposed_at(reading), rig.misalignment);

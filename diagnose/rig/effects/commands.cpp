@@ -29,7 +29,7 @@ bool servos_lead(const Place& at) {
 
 Responder drives() {
   return {"command_delay", "a drive that follows its command",
-          [](Rig& rig) { return std::vector{&rig.drive.response}; }};
+          [](const Addition& to) { return std::vector{&to.rig.drive.response}; }};
 }
 
 }  // namespace
@@ -74,7 +74,7 @@ std::vector<Effect> command_effects() {
       delayed(
           drives(), [](const Place& at) { return at.scales.clock && at.scales.drives; }, ""),
       lagging(
-          drives(), [](const Place& at) { return at.scales.clock && at.scales.drives && servos_lead(at); },
+          drives(), [](const Place& at) { return at.scales.clock && at.scales.drives; },
           "by a time constant"),
       {.id = "command_drift",
        .words = "a command of joint {} whose zero drifts over time",
@@ -82,6 +82,11 @@ std::vector<Effect> command_effects() {
        .parameters = [](const Place& at) { return std::vector{of(drift_of_joint(at), "r", at)}; },
        .add = [](const Addition& to) { to.rig.drive.drift[to.joint] += to.value[0]; },
        .possible = [](const Place& at) { return at.scales.clock && moves(at); }},
+      {.id = "command_scale",
+       .words = "a drive that moves the end point by a wrong factor",
+       .parameters = one_of(ParameterKind::place_gain, "g"),
+       .add = [](const Addition& to) { to.rig.drive.gain += to.value[0]; },
+       .possible = [](const Place& at) { return is_planar(at) && at.scales.measures_force; }},
       {.id = "joint_compliance",
        .words = "joint {} that yields, which the model has rigid",
        .at_joint = true,

@@ -73,7 +73,7 @@ std::vector<Effect> first_sensor() {
            },
        .add =
            [](const Addition& to) {
-             for (Response* own : sensors_of(first_names())(to.rig)) {
+             for (Response* own : sensors_of(first_names())(to)) {
                own->creep += to.value[0];
                own->creep_time = to.value[1];
              }
@@ -103,7 +103,7 @@ std::vector<Effect> first_sensor() {
        .parameters = one_of(ParameterKind::sensor_limit, "limit"),
        .add =
            [](const Addition& to) {
-             for (Response* own : sensors_of(first_names())(to.rig))
+             for (Response* own : sensors_of(first_names())(to))
                own->limit = std::min(own->limit, to.value[0]);
            },
        // A saturated cell repeats its largest reading.

@@ -13,17 +13,17 @@ Effect late(const Responder& one, Possible possible, const char* how, const char
           .parameters = one_of(ParameterKind::lag, parameter),
           .add =
               [responses = one.responses, by](const Addition& to) {
-                for (Response* own : responses(to.rig)) own->*by += to.value[0];
+                for (Response* own : responses(to)) own->*by += to.value[0];
               },
           .possible = std::move(possible)};
 }
 
 }  // namespace
 
-std::function<std::vector<Response*>(Rig& rig)> sensors_of(std::vector<Channel::Name> names) {
-  return [names = std::move(names)](Rig& rig) {
+std::function<std::vector<Response*>(const Addition& to)> sensors_of(std::vector<Channel::Name> names) {
+  return [names = std::move(names)](const Addition& to) {
     std::vector<Response*> all;
-    for (const Channel::Name name : names) all.push_back(&rig.sensors.responses[name]);
+    for (const Channel::Name name : names) all.push_back(&to.rig.sensors.responses[name]);
     return all;
   };
 }

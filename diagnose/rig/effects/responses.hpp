@@ -10,11 +10,11 @@ namespace plumbline::diagnose {
 struct Responder {
   std::string id;     ///< of its rows
   std::string words;  ///< a noun phrase that "with a delay" can follow
-  std::function<std::vector<Response*>(Rig& rig)> responses;
+  std::function<std::vector<Response*>(const Addition& to)> responses;
 };
 
 /// Sensors of channels with these names.
-std::function<std::vector<Response*>(Rig& rig)> sensors_of(std::vector<Channel::Name> names);
+std::function<std::vector<Response*>(const Addition& to)> sensors_of(std::vector<Channel::Name> names);
 
 using Possible = std::function<bool(const Place& at)>;
 

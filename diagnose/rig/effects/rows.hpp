@@ -16,7 +16,7 @@ std::vector<Effect> bench_effects();
 std::vector<Effect> tool_effects();
 std::vector<Effect> load_sensor_effects();
 std::vector<Effect> place_sensor_effects();
-std::vector<Effect> joint_sensor_effects();
+std::vector<Effect> sensor_effects();
 std::vector<Effect> common_effects();
 std::vector<Effect> run_effects();
 

@@ -4,10 +4,12 @@
 #include <rapidcheck.h>
 
 #include <cmath>
+#include <functional>
 
 #include "diagnose/inference/study.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
+#include "tests/diagnose/finger.hpp"
 
 using namespace plumbline;
 using namespace plumbline::diagnose;
@@ -36,6 +38,14 @@ Trace read(const Experiment& experiment, const Candidate& candidate, const std::
   const Prediction predicted = predict(Study(experiment), candidate, values);
   REQUIRE(predicted.reached);
   return predicted.runs[0];
+}
+
+/// The form of a row that is told by a delay.
+const Effect& late_form(std::string_view id) {
+  for (const Effect& row : catalogue())
+    if (row.id == id && row.form == "by a delay") return row;
+  FAIL("by a delay");
+  return catalogue().front();
 }
 
 }  // namespace
@@ -138,4 +148,59 @@ TEST_CASE("a drive that follows its command late leads the joints as the delayed
     CHECK(late(r, column_q) == doctest::Approx(prompt(r - 1, column_q)).epsilon(1e-9).scale(1));
   const Trace drifts = read(experiment, {{{"command_drift", 2}}}, {1e-3});
   CHECK(drifts(20, column_q + 1) - prompt(20, column_q + 1) == doctest::Approx(1e-3 * 10).epsilon(1e-9));
+}
+
+TEST_CASE("a drive of the end goes by a wrong factor of its way from the unloaded end") {
+  const std::vector<double> rest{0.3, -0.5, 0.4};
+  Experiment experiment = three_links();
+  press(experiment, rest, {-0.06, 0.01}, 6, true);
+  Experiment farther = experiment;
+  const Vector2 start = unloaded_end(experiment, rest);
+  for (Reading& reading : farther.runs[0].readings) {
+    reading[column_x] += 0.1 * (reading[column_x] - start.x());
+    reading[column_y] += 0.1 * (reading[column_y] - start.y());
+  }
+  const Trace scaled = read(experiment, only("command_scale"), {0.1}), whole = read(farther, {}, {});
+  for (const std::ptrdiff_t force : {column_Fx, column_Fy})
+    CHECK((scaled.col(force) - whole.col(force)).abs().maxCoeff() < 1e-9);
+}
+
+TEST_CASE("a load along the chain is off what is told: by a share, by a factor, over time, late") {
+  const std::vector<double> told = there_and_back(12, 5);
+  const auto check = [&](const Candidate& cause, double value,
+                         const std::function<double(std::size_t reading)>& tension) {
+    CAPTURE(cause.name());
+    std::vector<double> acts;
+    for (std::size_t r = 0; r < told.size(); ++r) acts.push_back(tension(r));
+    CHECK(difference(read(finger(told), cause, {value}), read(finger(acts), {}, {})) < 1e-9);
+  };
+  check(only("applied_bias"), 0.1, [&](std::size_t r) { return told[r] + 0.1 * 12; });
+  check(only("applied_drift"), 0.1, [&](std::size_t r) {  // 20 s long, a reading every 2 s
+    return told[r] + 0.1 * 12 * static_cast<double>(r) / 10;
+  });
+  check({{late_form("applied_lag")}}, 2, [&](std::size_t r) { return told[r > 0 ? r - 1 : 0]; });
+  // The scale of a single tendon is that of its moment arms.
+  const Study study(finger(told));
+  CHECK_FALSE(effect("applied_scale").possible({study.scales(), 0}));
+  CHECK(difference(read(finger(told), only("applied_scale"), {0.1}),
+                   read(finger(told), only("moment_arm"), {0.1})) < 1e-12);
+}
+
+TEST_CASE("numbers of one sensor talk into each other, those of two sensors do not") {
+  Run run{"poses", Control::force, {0}, {{0, {}, {0}}, {1, {}, {0}}}};
+  run.points = 1;
+  const Channel u(Channel::of_sensor(Name::pixel, 0, 0, 1, 1)),
+      v(Channel::of_sensor(Name::pixel, 0, 1, 1, 1)), other(Channel::of_sensor(Name::pixel, 1, 0, 1, 1));
+  run.of_sensors = run.planned = {u, v, other};
+  Trace stands = Trace::Zero(2, other.column + 2);
+  stands.col(u.column) << 10, 20;
+  stands.col(v.column) << 30, 50;
+  stands.col(other.column) << 7, 8;
+  Sensors sensors;
+  for (const std::size_t index : {u.joint, v.joint, other.joint})
+    sensors.error(Name::pixel, index).neighbours = 0.5;
+  const Trace shown = sensors.shown(run, stands);
+  CHECK(shown(1, u.column) == 20 + 25);
+  CHECK(shown(1, v.column) == 50 + 10);
+  CHECK(shown(1, other.column) == 8);
 }

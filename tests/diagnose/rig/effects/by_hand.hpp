@@ -31,7 +31,14 @@ inline CharacteristicScales sizes_by_hand() {
   size.sampling_interval = 2.5;
   size.runs = 3;
   size.largest_reading = 11;
+  size.applied = {{1, 10}};
+  size.covariates = {0};
   return size;
+}
+
+/// Largest deflections and the torque that goes with them.
+inline Excitation excitation_by_hand() {
+  return {{0.11, 0.23, 0.31}, 0.31, 1.7};
 }
 
 inline void check_values(const std::vector<double>& found, const std::vector<double>& expected) {

@@ -17,11 +17,6 @@ using namespace plumbline::diagnose::test;
 
 namespace {
 
-/// Largest deflections and the torque that go with it.
-Excitation excitation_by_hand() {
-  return {{0.11, 0.23, 0.31}, 0.31, 1.7};
-}
-
 std::vector<double> sizeable_values(const char* id, std::size_t joint) {
   const CharacteristicScales size = sizes_by_hand();
   std::vector<double> all;
@@ -130,8 +125,19 @@ TEST_CASE("a sizeable amount of each effect, by hand") {
                                                         {"torque_scale", {0.05}},
                                                         {"hysteresis", {0.2, 0.03, 0.2, 0.03, 0.2, 0.03}},
                                                         {"piecewise_spring", {0.3, 0.2}}};
-  for (const char* sensor : {"second", "place", "angle", "tilt", "torque"})
-    of_chain[sensor + std::string("_lag")] = {0.75};
+  for (const char* one : {"second", "place", "angle", "tilt", "torque", "distance", "pixel", "inclination",
+                          "height", "applied", "covariate"})
+    of_chain[one + std::string("_lag")] = {0.75};
+  for (const char* one : {"applied_bias", "applied_scale", "applied_drift"}) of_chain[one] = {0.05};
+  for (const char* one : {"command_scale", "distance_scale", "height_scale"}) of_chain[one] = {0.01};
+  for (const char* one : {"pixel_scale", "pixel_cross_talk", "inclination_scale", "inclination_cross_talk"})
+    of_chain[one] = {0.01, 0.01};
+  for (const char* one : {"distance", "height"}) {
+    of_chain[one + std::string("_bias")] = {0.0065};
+    of_chain[one + std::string("_drift")] = {0.0026 / 90};
+  }
+  of_chain["pixel_bias"] = {5, 5}, of_chain["pixel_drift"] = {2.0 / 90, 2.0 / 90};
+  of_chain["inclination_bias"] = {0.05, 0.05}, of_chain["inclination_drift"] = {0.01 / 90, 0.01 / 90};
   for (const char* one : {"command", "angle", "tilt"}) of_a_joint[one + std::string("_drift")] = {0.01 / 90};
   for (const char* one : {"angle_bias", "tilt_bias", "torque_cross_talk"}) of_a_joint[one] = {0.05};
   for (const char* one : {"angle_scale", "tilt_scale", "angle_cross_talk", "tilt_cross_talk"})
@@ -321,79 +327,5 @@ TEST_CASE("every effect: perturbed parameters, step, dissipation and excitation"
     CHECK(row.perturbation.guesses == expected.guesses);
     CHECK(row.dissipates == expected.dissipates);
     CHECK(row.is_tolerance == expected.tolerance);
-  }
-}
-
-TEST_CASE("ranges and initial guesses scale with the units of force, length and time") {
-  // Forces in units 5 times as small, lengths 3 times, times 7 times.
-  constexpr double N = 5, m = 3, s = 7;
-  const CharacteristicScales size = sizes_by_hand();
-  CharacteristicScales other = size;
-  for (double& k : other.joint_stiffness) k *= N * m;
-  for (double& length : other.link_length) length *= m;
-  other.stiffness *= N * m, other.length *= m, other.link *= m;
-  for (double& length : other.reach) length *= m;
-  other.force *= N, other.largest_reading *= N, other.torque *= N * m;
-  other.mass *= N;  // gravity is the same
-  other.duration *= s, other.sampling_interval *= s;
-  const Excitation nominal = excitation_by_hand();
-  Excitation scaled = nominal;
-  scaled.torque *= N * m;
-  const std::map<std::string, double> factors{{"ratio", 1},
-                                              {"rad", 1},
-                                              {"1/rad", 1},
-                                              {"1/rad²", 1},
-                                              {"N", N},
-                                              {"N m", N * m},
-                                              {"N m/rad", N * m},
-                                              {"m", m},
-                                              {"s", s},
-                                              {"m/N", m / N},
-                                              {"1/N", 1 / N},
-                                              {"N/s", N / s},
-                                              {"N m/s", N * m / s},
-                                              {"m/s", m / s},
-                                              {"rad/s", 1 / s},
-                                              {"N m²", N * m * m},
-                                              {"kg/m", N / m},
-                                              {"kg", N},
-                                              {"1/K", 1},
-                                              {"rad/(N m)", 1 / (N * m)}};
-  for (const Effect& row : catalogue()) {
-    const std::size_t joint = row.at_joint ? 1 : 0;
-    const auto before = row.parameters({size, joint}), after = row.parameters({other, joint});
-    std::vector<double> factor, shift;
-    REQUIRE(before.size() == after.size());
-    for (std::size_t p = 0; p < before.size(); ++p) {
-      CAPTURE(row.id);
-      CAPTURE(p);
-      const auto unit = factors.find(std::string(before[p].unit));
-      REQUIRE(unit != factors.end());
-      const Coordinate how = before[p].coordinate;
-      factor.push_back(how == Coordinate::plain        ? unit->second
-                       : how == Coordinate::reciprocal ? 1 / unit->second
-                                                       : 1);
-      shift.push_back(how == Coordinate::logarithm ? std::log(unit->second) : 0);
-      const auto moved = [&](double value) {
-        return doctest::Approx(value * factor[p] + shift[p]).epsilon(1e-12).scale(1e-9);
-      };
-      CHECK(after[p].low == moved(before[p].low));
-      CHECK(after[p].high == moved(before[p].high));
-      CHECK(after[p].scale == doctest::Approx(before[p].scale * factor[p]).epsilon(1e-12).scale(1e-9));
-      CHECK(after[p].tolerance ==
-            doctest::Approx(before[p].tolerance * factor[p]).epsilon(1e-12).scale(1e-9));
-    }
-    if (row.initial_guesses == nullptr) continue;
-    const InitialGuesses from = row.initial_guesses({size, joint}, nominal),
-                         to = row.initial_guesses({other, joint}, scaled);
-    CHECK(from.refined == to.refined);
-    REQUIRE(from.points.size() == to.points.size());
-    // Guesses for stops and hardening depend on angles alone.
-    for (std::size_t i = 0; i < from.points.size(); ++i)
-      for (std::size_t p = 0; p < factor.size(); ++p) {
-        CAPTURE(row.id);
-        CHECK(to.points[i][p] ==
-              doctest::Approx(from.points[i][p] * factor[p] + shift[p]).epsilon(1e-12).scale(1e-9));
-      }
   }
 }

@@ -124,6 +124,15 @@ TEST_CASE("effects of one kind add up; the contribution of each to the rig, by h
   CHECK(with("angle_drift", 2, {1}).sensors.error(Channel::Name::q, 1).drift == 2);
   CHECK(with("command_delay", 0, {1}).drive.response.delay == 2);
   CHECK(with("command_drift", 2, {1}).drive.drift[1] == 2);
+  CHECK(with("command_scale", 0, {1}).drive.gain == 2);
+  // Of loads along the chain in shares of the largest, 10, and of the 90 s.
+  CHECK(with("applied_bias", 0, {0.25}).drive.covariates.at(1).zero == 5);
+  CHECK(with("applied_scale", 0, {0.25}).drive.covariates.at(1).gain == 0.5);
+  CHECK(with("applied_drift", 0, {0.9}).drive.covariates.at(1).drift == close_to(0.2));
+  CHECK(with("applied_lag", 0, {1}).drive.covariates.at(1).response.lag == 2);
+  CHECK(with("covariate_lag", 0, {1}).drive.covariates.at(0).response.lag == 2);
+  CHECK(with("pixel_bias", 0, {1, 2}).sensors.error(Channel::Name::pixel, 1).zero == 4);
+  CHECK(with("height_scale", 0, {1}).sensors.error(Channel::Name::height).gain == 2);
   CHECK(with("place_drift", 0, {1, 2}).place_drift == Vector3<double>(2, 4, 0));
   CHECK(with("camera_skew", 0, {1}).place_skew == Vector3<double>(2, 0, 0));
   CHECK(with("sensor_drift", 0, {1, 2}).force_drift == Vector3<double>(2, 4, 0));

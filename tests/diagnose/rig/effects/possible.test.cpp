@@ -21,6 +21,7 @@ TEST_CASE("an effect is possible where the bench meets each of its conditions") 
   all.turns_back = all.bent_at_rest = all.nominal_weight = all.imposes_force = true;
   all.turned_by_loads = all.long_tendon = all.end_is_loaded = all.drives = all.warms = true;
   all.tool_is_measured = true;
+  all.applied.push_back({2, 10});
   all.measured.fill(true);
   all.at_largest = 4;
   const auto one_spring = [](CharacteristicScales& s) { s.joint_stiffness = {0, 3, 0}; };
@@ -36,6 +37,7 @@ TEST_CASE("an effect is possible where the bench meets each of its conditions") 
   };
   const auto no_cell = [](CharacteristicScales& s) { s.load_cell = false; };
   const auto no_clock = [](CharacteristicScales& s) { s.clock = false; };
+  const auto no_loads = [](CharacteristicScales& s) { s.applied.clear(); };
   const auto no_links = [](CharacteristicScales& s) { s.axes = 1; };
   const auto no_end = [](CharacteristicScales& s) { s.end_is_loaded = false; };
   const auto no_turn = [](CharacteristicScales& s) { s.turns_back = false; };
@@ -79,6 +81,16 @@ TEST_CASE("an effect is possible where the bench meets each of its conditions") 
       {"train_compliance", no_force},
       {"pulley_friction", [](CharacteristicScales& s) { s.imposes_force = false; }},
       {"pulley_friction", no_turn},
+      {"applied_bias", no_loads},
+      {"applied_scale", no_loads},
+      {"applied_drift", no_clock},
+      {"applied_lag", no_clock},
+      {"covariate_lag", no_clock},
+      {"covariate_lag", [](CharacteristicScales& s) { s.covariates.clear(); }},
+      {"command_scale", no_force},
+      {"distance_bias", no_place},
+      {"pixel_cross_talk", no_place},
+      {"height_lag", no_clock},
       {"moment_arm", [](CharacteristicScales& s) { s.turned_by_loads = false; }},
       {"capstan_friction", [](CharacteristicScales& s) { s.long_tendon = false; }},
       {"camera_scale", no_place},
