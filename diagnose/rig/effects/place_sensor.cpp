@@ -37,7 +37,7 @@ std::vector<Effect> place_sensor_effects() {
   using Name = Channel::Name;
   const Responder camera{"place_lag", "a camera or tracker that responds",
                          sensors_of({Name::x, Name::y, Name::place, Name::turn})};
-  const auto late = [](const Place& at) { return camera_reads(at) && shows_in_time(at); };
+  const auto late = [](const Place& at) { return camera_reads(at) && shows_late(at); };
   return {
       {.id = "position_offset",
        .words = "an offset of the frame in which places are told",

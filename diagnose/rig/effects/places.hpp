@@ -106,6 +106,12 @@ inline bool shows_in_time(const Place& at) {
   return at.scales.clock && (at.scales.kinds_read() > 1 || !at.scales.drives);
 }
 
+/// Whether a lag of a kind of sensor shows. Loads along the chain that are late are all that is seen where
+/// that kind alone is read.
+inline bool shows_late(const Place& at) {
+  return shows_in_time(at) && (at.scales.kinds_read() > 1 || at.scales.applied.empty());
+}
+
 /// Whether joint angles are read, and something else: alone, their sensors' errors are those of the joints.
 inline bool angles_are_read_beside(const Place& at) {
   return at.scales.measures(Channel::Name::q) && at.scales.kinds_read() > 1;

@@ -90,6 +90,7 @@ std::vector<Effect> rows_of(const ChannelKind& kind) {
   const Possible reads = [name = kind.name](const Place& at) { return at.scales.measures(name); };
   const Possible shows = [=](const Place& at) { return reads(at) && (alone || at.scales.kinds_read() > 1); };
   const Possible in_time = [=](const Place& at) { return reads(at) && shows_in_time(at); };
+  const Possible late = [=](const Place& at) { return reads(at) && shows_late(at); };
   const Responder all{stem + "_lag", "sensors of " + stem + "s that respond", sensors_of({kind.name})};
   std::vector<Effect> rows{
       {.id = stem + "_bias",
@@ -110,8 +111,8 @@ std::vector<Effect> rows_of(const ChannelKind& kind) {
        .parameters = each_changed(kind, kinds.drift, "r"),
        .add = add_to_changed(kind, &SensorError::drift),
        .possible = in_time},
-      lagging(all, in_time),
-      delayed(all, in_time),
+      lagging(all, late),
+      delayed(all, late),
   };
   if (at_joint || numbers(kind) > 1)
     rows.insert(rows.end() - 2, {.id = stem + "_cross_talk",

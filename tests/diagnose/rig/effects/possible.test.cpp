@@ -21,6 +21,7 @@ TEST_CASE("an effect is possible where the bench meets each of its conditions") 
   all.turns_back = all.bent_at_rest = all.nominal_weight = all.imposes_force = true;
   all.turned_by_loads = all.long_tendon = all.end_is_loaded = all.drives = all.warms = true;
   all.tool_is_measured = true;
+  all.applied.push_back({2, 10});
   all.measured.fill(true);
   all.at_largest = 4;
   const auto one_spring = [](CharacteristicScales& s) { s.joint_stiffness = {0, 3, 0}; };
