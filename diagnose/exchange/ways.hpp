@@ -18,7 +18,7 @@ struct Way {
   bool weighs = false;  ///< adds what weighs, so that the file has gravity
 };
 
-/// For every row of the catalogue.
+/// For every row of the catalogue that a planar chain may have.
 /// \throws Error for another id
 Way way_of(Format format, const diagnose::NominalEffect& effect);
 
