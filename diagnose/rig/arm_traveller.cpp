@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnose/rig/tube.hpp"
-
 namespace plumbline::diagnose {
 namespace {
 
@@ -34,34 +32,18 @@ ArmTraveller::ArmTraveller(const Experiment& experiment, const Rig& own, const R
       measured_(run.measured()),
       command_(run, own.drive),
       on_(own, run.rest),
-      arm_(on_.rig.arm->arm),
+      arm_(on_.rig.arm->at(growth_, run.rest, own.flexibility)),
       sliders_(sliders),
       contact_(arm_.size() * sliders_, Contact::sticks),
       memory_(arm_.size()),
       rest_(arm_.size()),
       way_(arm_.size(), 0.0) {
-  extend(run.rest);
   Eigen::Index next = 0;
   for (std::size_t i = 0; i < arm_.size(); ++i) {
     joint_.push_back(next);
     next += yields(arm_.links[i]) ? 7 : 1;
   }
   soften();
-}
-
-/// What has slid out of the link before bends up to the joint.
-void ArmTraveller::extend(const std::vector<double>& command) {
-  const SerialArm<double>& still = on_.rig.arm->arm;
-  for (std::size_t i = 0; i < arm_.size() && on_.rig.flexibility > 0; ++i) {
-    if (arm_.links[i].kind != JointKind::prismatic) continue;
-    constexpr double shortest = 1e-6;  // m: as many freedoms wherever it stands
-    const double length = std::max(std::abs(command[i]), shortest);
-    arm_.links[i].compliance =
-        still.links[i].compliance +
-        carried_on(
-            tube_compliance(std::copysign(length, command[i]) * still.links[i].axis, on_.rig.flexibility),
-            still.far_end(i).translation());
-  }
 }
 
 void ArmTraveller::soften() {
@@ -89,8 +71,14 @@ void ArmTraveller::head_for(const Stop& stop) {
     memory_[i].speed = dt > 0 ? share * memory_[i].turn / dt : 0;  // as the command goes on
     rest_[i] = rest;
   }
-  expand(reading);
-  if (on_.rig.flexibility > 0) extend(on_.command), soften();
+  if (rig.expansion != 0) {
+    const double first = experiment_->runs.front().readings.front().covariates.front();
+    growth_ = 1 + rig.expansion * (reading.covariates.front() - first);
+  }
+  if (rig.expansion != 0 || on_.rig.flexibility > 0) {
+    arm_ = rig.at(growth_, on_.command, on_.rig.flexibility);
+    soften();
+  }
   target_ = commanded(arm_, column(rest_));
   wrenches_.clear();
   if (!reading.wrench.empty()) {
@@ -100,19 +88,6 @@ void ArmTraveller::head_for(const Stop& stop) {
     wrenches_.push_back({expanded(rig.load), (read.head<3>() - zero) / gain, read.tail<3>() / gain});
   }
   hold_weight();
-}
-
-void ArmTraveller::expand(const Reading& reading) {
-  const double rate = on_.rig.arm->expansion;
-  if (rate == 0) return;
-  const double first = experiment_->runs.front().readings.front().covariates.front();
-  growth_ = 1 + rate * (reading.covariates.front() - first);
-  const SerialArm<double>& cold = on_.rig.arm->arm;
-  for (std::size_t i = 0; i < arm_.size(); ++i) {
-    arm_.links[i].frame.translation() = growth_ * cold.links[i].frame.translation();
-    arm_.links[i].centre = growth_ * cold.links[i].centre;
-  }
-  arm_.tip.translation() = growth_ * cold.tip.translation();
 }
 
 OnLink<double> ArmTraveller::expanded(OnLink<double> at) const {
@@ -347,7 +322,7 @@ Vector3<double> ArmTraveller::turn_of_tool() const {
   const std::size_t last = arm_.size() - 1, movers = posture_->moved_by(last);
   const Pose<double> frame = moved(posture_->frame(last), movers - (yields(arm_.links[last]) ? 6 : 0));
   constexpr double unweighed = 1e-3;  // kg: a tool whose model has no mass still hangs by its weight
-  const double mass = std::max(arm_.links[last].mass, unweighed);
+  const double mass = std::max(rig.arm.links[last].mass, unweighed);
   Vector3<double> moment = (frame.linear() * arm_.tip.translation()).cross(mass * arm_.gravity);
   for (const ArmWrench<double>& one : wrenches_)
     if (one.at.link == last)

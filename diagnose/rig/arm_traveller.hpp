@@ -34,15 +34,11 @@ class ArmTraveller {
   void write(Eigen::Ref<Eigen::ArrayXd> row, const std::vector<Eigen::Matrix3d>& told) const;
 
  private:
-  /// Lets what has slid out bend by its length, which Rig::flexibility makes yield in an arm.
-  void extend(const std::vector<double>& command);
   /// Numbers of the freedoms that another arm has too, in its order.
   [[nodiscard]] std::vector<Eigen::Index> shared_with(const ArmTraveller& other) const;
   /// The compliance of all freedoms, of the arm as it is.
   void soften();
-  /// Lengthens the arm by the temperature of a reading.
-  void expand(const Reading& reading);
-  /// A place on a link at that temperature.
+  /// A place on a link at the temperature of the reading.
   [[nodiscard]] OnLink<double> expanded(OnLink<double> at) const;
   /// A frame of the posture, moved to first order to where the arm stands.
   /// \param movers  number of freedoms that move it
@@ -86,8 +82,8 @@ class ArmTraveller {
   std::vector<Channel> measured_;
   LedCommand command_;
   RunRig on_;
-  SerialArm<double> arm_;            ///< at its temperature, on its mount as it yields
-  double growth_ = 1;                ///< of its lengths
+  double growth_ = 1;                ///< of the arm's lengths, by its temperature
+  SerialArm<double> arm_;            ///< so long, see ArmRig::at(), on its mount as it yields
   std::vector<Eigen::Index> joint_;  ///< their freedoms
   Matrix<double> compliance_;        ///< of all freedoms; zero for joints with a law
   std::size_t sliders_;              ///< of each joint

@@ -49,7 +49,8 @@ class Traveller {
   [[nodiscard]] Vector2 at_end(const Run& run, const Reading& reading, double growing) const;
 
   const Experiment* experiment_;
-  std::vector<double> rest_then_;  ///< of each joint, at the last reading
+  std::vector<Vector2> nominal_centre_;  ///< see Rig::centre, where servos hold the weight
+  std::vector<double> rest_then_;        ///< of each joint, at the last reading
   LoadHistory load_history_;
 };
 
