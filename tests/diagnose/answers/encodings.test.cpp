@@ -5,11 +5,14 @@
 
 #include <functional>
 #include <numbers>
+#include <optional>
 #include <random>
 #include <set>
 
 #include "diagnose/answers/diagnosis.hpp"
 #include "diagnose/bench/read_experiment.hpp"
+#include "diagnose/rig/user_effects/read_effects.hpp"
+#include "diagnose/rig/user_effects/stated_effect.hpp"
 #include "tests/folder.hpp"
 
 using namespace plumbline;
@@ -309,6 +312,28 @@ TEST_CASE("an effect changes the same joint angles in every form") {
           CHECK((first.runs[0].col(there.column) - other.runs[0].col(here.column)).abs().maxCoeff() < 1e-9);
         }
       }
+    }
+  }
+}
+
+TEST_CASE("a user's effect changes the same joint angles in every form") {
+  const std::string c = "[effect.parameters.c]\nunit = \"1\"\nscale = 0.1\nlow = -1\nhigh = 1\n",
+                    head = "format = \"user-effects/1\"\n[[effect]]\nid = \"own\"\nwords = \"own\"\n";
+  for (const char* acts :
+       {"where = \"every joint\"\ntorque = \"c * sin(12 * q)\"", "reading.q = \"c * d * s\"",
+        "where = \"every joint\"\ntorque = \"c * s * (1 + t / 9)\""}) {
+    CAPTURE(acts);
+    const std::vector<StatedEffect> own = parse_effects(head + acts + "\n" + c, "U", {});
+    std::optional<Prediction> first;
+    for (const Form& form : forms({two_joints(), two_joints().commands, {}})) {
+      const Study study = study_with(form.study.experiment(), own);
+      const Prediction there = predict(study, {{EffectAt(study.experiment().stated->front())}}, {0.1});
+      REQUIRE(there.reached);
+      if (!first) first = there;
+      const Eigen::Index q = Channel(Channel::Name::q, 0).column;
+      CHECK((there.runs[0] - form.study.nominal().runs[0]).col(q).abs().maxCoeff() > 1e-4);
+      // as above
+      CHECK((there.runs[0] - first->runs[0]).middleCols<2>(q).abs().maxCoeff() < 1e-9);
     }
   }
 }
