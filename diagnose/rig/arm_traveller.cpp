@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnose/rig/tube.hpp"
-
 namespace plumbline::diagnose {
 namespace {
 
@@ -33,32 +31,16 @@ ArmTraveller::ArmTraveller(const Experiment& experiment, const Rig& own, const R
       run_(&run),
       measured_(run.measured()),
       joints_(own, run),
-      arm_(rig().arm->arm),
+      arm_(rig().arm->at(growth_, run.rest, own.flexibility)),
       sliders_(sliders),
       contact_(arm_.size() * sliders_, Contact::sticks),
       way_(arm_.size(), 0.0) {
-  extend(run.rest);
   Eigen::Index next = 0;
   for (std::size_t i = 0; i < arm_.size(); ++i) {
     joint_.push_back(next);
     next += yields(arm_.links[i]) ? 7 : 1;
   }
   soften();
-}
-
-/// What has slid out of the link before bends up to the joint.
-void ArmTraveller::extend(const std::vector<double>& command) {
-  const SerialArm<double>& still = rig().arm->arm;
-  for (std::size_t i = 0; i < arm_.size() && rig().flexibility > 0; ++i) {
-    if (arm_.links[i].kind != JointKind::prismatic) continue;
-    constexpr double shortest = 1e-6;  // m: as many freedoms wherever it stands
-    const double length = std::max(std::abs(command[i]), shortest);
-    arm_.links[i].compliance =
-        still.links[i].compliance +
-        carried_on(
-            tube_compliance(std::copysign(length, command[i]) * still.links[i].axis, rig().flexibility),
-            still.far_end(i).translation());
-  }
 }
 
 void ArmTraveller::soften() {
@@ -73,8 +55,7 @@ void ArmTraveller::head_for(const Stop& stop, const Passage& passage) {
   const std::vector<double>& command = joints_.on().command;
   for (std::size_t i = 0; i < way_.size(); ++i)
     if (!passage.first && command[i] != before[i]) way_[i] = command[i] > before[i] ? 1 : -1;
-  expand(reading);
-  if (rig().flexibility > 0) extend(command), soften();
+  grow(reading);
   Vector<double> rest(static_cast<Eigen::Index>(way_.size()));
   for (std::size_t i = 0; i < way_.size(); ++i) rest(static_cast<Eigen::Index>(i)) = law(i).rest;
   target_ = commanded(arm_, rest);
@@ -93,17 +74,15 @@ void ArmTraveller::load(const Reading& reading) {
   wrenches_.push_back({expanded(rig().arm->load), load_, read.tail<3>() / gain});
 }
 
-void ArmTraveller::expand(const Reading& reading) {
-  const double rate = rig().arm->expansion;
-  if (rate == 0) return;
-  const double first = experiment_->runs.front().readings.front().covariates.front();
-  growth_ = 1 + rate * (reading.covariates.front() - first);
-  const SerialArm<double>& cold = rig().arm->arm;
-  for (std::size_t i = 0; i < arm_.size(); ++i) {
-    arm_.links[i].frame.translation() = growth_ * cold.links[i].frame.translation();
-    arm_.links[i].centre = growth_ * cold.links[i].centre;
+void ArmTraveller::grow(const Reading& reading) {
+  const ArmRig& own = *rig().arm;
+  if (own.expansion != 0) {
+    const double first = experiment_->runs.front().readings.front().covariates.front();
+    growth_ = 1 + own.expansion * (reading.covariates.front() - first);
   }
-  arm_.tip.translation() = growth_ * cold.tip.translation();
+  if (own.expansion == 0 && rig().flexibility == 0) return;
+  arm_ = own.at(growth_, joints_.on().command, rig().flexibility);
+  soften();
 }
 
 OnLink<double> ArmTraveller::expanded(OnLink<double> at) const {
@@ -347,7 +326,7 @@ Vector3<double> ArmTraveller::turn_of_tool() const {
   const std::size_t last = arm_.size() - 1, movers = posture_->moved_by(last);
   const Pose<double> frame = moved(posture_->frame(last), movers - (yields(arm_.links[last]) ? 6 : 0));
   constexpr double unweighed = 1e-3;  // kg: a tool whose model has no mass still hangs by its weight
-  const double mass = std::max(arm_.links[last].mass, unweighed);
+  const double mass = std::max(own.arm.links[last].mass, unweighed);
   Vector3<double> moment = (frame.linear() * arm_.tip.translation()).cross(mass * arm_.gravity);
   for (const ArmWrench<double>& one : wrenches_)
     if (one.at.link == last)

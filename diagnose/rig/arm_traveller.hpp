@@ -36,14 +36,12 @@ class ArmTraveller {
   [[nodiscard]] double joint_angle(std::size_t joint) const { return coordinate_(joint_[joint]); }
 
  private:
-  /// Lets what has slid out bend by its length, which Rig::flexibility makes yield in an arm.
-  void extend(const std::vector<double>& command);
   /// Numbers of the freedoms that another arm has too, in its order.
   [[nodiscard]] std::vector<Eigen::Index> shared_with(const ArmTraveller& other) const;
   /// The compliance of all freedoms, of the arm as it is.
   void soften();
-  /// Lengthens the arm by the temperature of a reading.
-  void expand(const Reading& reading);
+  /// Brings the arm to the temperature and the command of a reading, where either changes it.
+  void grow(const Reading& reading);
   /// A place on a link at that temperature.
   [[nodiscard]] OnLink<double> expanded(OnLink<double> at) const;
   /// A frame of the posture, moved to first order to where the arm stands.
@@ -92,8 +90,8 @@ class ArmTraveller {
   const Run* run_;
   std::vector<Channel> measured_;
   JointStates joints_;
-  SerialArm<double> arm_;            ///< at its temperature, on its mount as it yields
-  double growth_ = 1;                ///< of its lengths
+  double growth_ = 1;                ///< of the arm's lengths, by its temperature
+  SerialArm<double> arm_;            ///< so long, see ArmRig::at(), on its mount as it yields
   std::vector<Eigen::Index> joint_;  ///< their freedoms
   Matrix<double> compliance_;        ///< of all freedoms; zero for joints with a law
   std::size_t sliders_;              ///< of each joint

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "diagnose/rig/load_cell.hpp"
+#include "diagnose/rig/nominal.hpp"
 
 namespace plumbline::diagnose {
 
@@ -11,7 +12,9 @@ Traveller::Traveller(const Experiment& experiment, const Rig& rig, const Run& ru
     : joints(rig, run),
       unloaded(unloaded_end(experiment, run.rest)),
       experiment_(&experiment),
-      load_history_(experiment.loads, rig.length.size(), rig.moment_arm_error, rig.capstan_friction) {}
+      load_history_(experiment.loads, rig.length.size(), rig.moment_arm_error, rig.capstan_friction) {
+  if (rig.compensated != 0) nominal_centre_ = nominal_rig(experiment).centre;
+}
 
 const Imposed& Traveller::impose(const Run& run, const Reading& reading, double growing) {
   imposed = {run.control, at_end(run, reading, growing), load_history_.next(reading.covariates)};
@@ -25,8 +28,10 @@ void Traveller::hold_weight(const std::vector<double>& commanded, std::vector<do
   const Vector2 gravity(experiment_->gravity[0], experiment_->gravity[1]);
   Vector2 beyond = Vector2::Zero();  // weight of the links beyond
   for (std::size_t i = commanded.size(); i-- > 0;) {
-    const Vector2 across(-std::sin(theta), std::cos(theta)), own = experiment_->link_mass[i] * gravity;
-    torque += experiment_->link_length[i] * across.dot(beyond + own / 2);
+    const Vector2 along(std::cos(theta), std::sin(theta)), across(-along.y(), along.x()),
+        own = experiment_->link_mass[i] * gravity, off = nominal_centre_[i];
+    torque += experiment_->link_length[i] * across.dot(beyond + own / 2) +
+              own.dot(off.x() * across - off.y() * along);
     moment[i] -= joints.rig().compensated * torque;
     beyond += own;
     theta -= commanded[i];

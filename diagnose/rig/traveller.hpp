@@ -40,6 +40,7 @@ class Traveller {
   [[nodiscard]] Vector2 at_end(const Run& run, const Reading& reading, double growing) const;
 
   const Experiment* experiment_;
+  std::vector<Vector2> nominal_centre_;  ///< see Rig::centre, where servos hold the weight
   LoadHistory load_history_;
 };
 
