@@ -117,7 +117,7 @@ def others():
             + textwrap.fill(", ".join(links), 150, break_long_words=False, break_on_hyphens=False) + "\n")
 
 
-text = HEAD + "".join([*(section(*one) for one in FORMATS), *channels(), *units(), others()])
+text = HEAD + "".join([*(section(*one) for one in FORMATS), *channels(), *units(), others()]).replace("\n\n\n", "\n\n")
 if "--check" not in sys.argv:
     TARGET.write_text(text, encoding="utf-8")
 elif TARGET.read_text(encoding="utf-8") != text:

@@ -161,7 +161,7 @@ Diagnosis diagnose(const Study& study, const std::function<void(double)>& progre
                       {},
                       {},
                       {}};
-  if (study.experiment().arm) diagnosis.joints = study.experiment().arm->joint;
+  diagnosis.joints = study.experiment().joint_names();
   diagnosis.calibration = study.experiment().arm_bench.calibration;
   diagnosis.assumed_density = study.experiment().arm_bench.assumed_density;
   diagnosis.gap.present = gap;

@@ -7,7 +7,7 @@
 namespace plumbline::diagnose {
 
 std::optional<OfferedLaw> offer_law(const Study& study, const NoiseEstimate& noise) {
-  if (study.experiment().arm) return std::nullopt;  // its joints hardly bend: angle and torque are no law
+  if (study.experiment().visits_poses()) return std::nullopt;  // a law remembers its way
   std::optional<TorqueLaw> law = fit_torque_law(study, noise);
   if (!law) return std::nullopt;
   double least = left_with(study, noise, *law);

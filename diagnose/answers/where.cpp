@@ -46,7 +46,7 @@ std::vector<RunShare> by_run(const Study& study, const VectorXd& excess) {
 
 std::vector<PathShare> along_path(const Study& study, const VectorXd& excess) {
   std::vector<PathShare> shares;
-  if (study.experiment().arm) return shares;  // poses are no path
+  if (study.experiment().visits_poses()) return shares;
   for (std::size_t r = 0; r < study.experiment().runs.size(); ++r) {
     const Run& run = study.experiment().runs[r];
     const std::vector<Regime> regime = regimes(run, study.nominal().runs[r]);

@@ -320,7 +320,7 @@ Run renumbered(Run run, const std::vector<std::size_t>& taken) {
 }  // namespace
 
 Experiment decimated(Experiment experiment) {
-  if (experiment.arm) return thinned(std::move(experiment));  // neighbouring poses have no median
+  if (experiment.visits_poses()) return thinned(std::move(experiment));  // neighbours have no median
   std::size_t total = 0;
   for (Run& run : experiment.runs) {
     if (!run.readings.empty()) run = without_repeated_readings(std::move(run), experiment.noise);

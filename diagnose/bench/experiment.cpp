@@ -119,11 +119,10 @@ std::vector<Channel> Run::measurable() const {
   };
   if (end().joint_angles) add_joints(Of::joints);
   for (const Channel& channel : end().second) channels.push_back(channel);
-  if (points == 0 && end().joint_angles) add_joints(Of::chain);
   for (std::size_t p = 0; p < points; ++p)
     for (const Name name : {Name::place, Name::turn})
       for (std::size_t axis = 0; axis < 3; ++axis) channels.emplace_back(name, 3 * p + axis, joints);
-  if (points > 0) add_joints(Of::arm);
+  if (end().joint_angles) add_joints(end().joints);
   channels.insert(channels.end(), of_sensors.begin(), of_sensors.end());
   return channels;
 }

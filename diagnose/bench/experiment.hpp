@@ -106,7 +106,7 @@ struct Run {
   std::size_t number = 0;  ///< of all runs of the experiment, from 0; see Experiment::run_count
   std::vector<Origin> origins =
       {};  ///< of t, x, y, Fx, Fy, the joint angles and covariates; empty where it was not read
-  Alone alone = Alone::no;               ///< of whose bench it is a run
+  Device device = Device::chain;         ///< of whose bench it is a run
   std::size_t points = 0;                ///< that are measured of an arm in space; 0 for other benches
   std::vector<Channel> of_sensors = {};  ///< the channels of an arm's sensors beside the tracker
   bool begins_moving = false;     ///< the first reading was taken on the way; else the run begins relaxed
@@ -119,7 +119,7 @@ struct Run {
   std::vector<LoadChannel> loads = {};  ///< what loads the chain besides, as part of the command
   std::vector<Channel> planned = {};    ///< channels to be measured, where nothing has been yet
 
-  [[nodiscard]] const EndKind& end() const { return end_kind(alone); }
+  [[nodiscard]] const EndKind& end() const { return end_kind(device); }
   [[nodiscard]] bool holds_end_point() const { return control == Control::end_point; }
   /// The imposed channels, along x and along y; of a joint alone its angle or its torque.
   [[nodiscard]] std::vector<Channel> imposed() const;

@@ -37,12 +37,12 @@ struct NominalChain {
   std::vector<NominalEffect> effects;
   std::vector<FreeLaw> laws = {};  ///< what its joints carry besides, where no effect says why
   std::shared_ptr<const std::vector<Effect>> stated = nullptr;  ///< rows of the user's own, or none
-  Alone alone = Alone::no;
+  Device device = Device::chain;
   /// The arm in space whose joints and links these are; null for a chain in the plane. Lengths are then
   /// distances along its links, and a stiffness of zero is that of a rigid joint.
   std::shared_ptr<const NominalArm> arm = nullptr;
 
-  [[nodiscard]] const EndKind& end() const { return end_kind(alone); }
+  [[nodiscard]] const EndKind& end() const { return end_kind(device); }
   /// Whether a joint, from 0, slides; else it turns.
   [[nodiscard]] bool slides(std::size_t joint) const;
   /// "joint 2", or the name that its file gives it.
@@ -52,8 +52,11 @@ struct NominalChain {
   [[nodiscard]] const char* torque_unit(std::size_t joint) const { return slides(joint) ? "N" : "N m"; }
   /// A joint alone has none.
   [[nodiscard]] bool has_links() const { return end().has_links; }
+  [[nodiscard]] bool visits_poses() const { return end().visits_poses; }
+  /// Names that its file gives the joints; none where it numbers them.
+  [[nodiscard]] std::vector<std::string> joint_names() const;
   /// Whether it is a chain in a plane, whose end point may be put or loaded.
-  [[nodiscard]] bool is_planar() const { return !arm && has_links(); }
+  [[nodiscard]] bool is_planar() const { return end().axes == 2; }
   /// Whether it has springs and weights alone.
   [[nodiscard]] bool plain() const { return effects.empty() && laws.empty(); }
 };

@@ -201,6 +201,7 @@ ReadArmBench read_arm(const Section& section, const ReadArm& read) {
 
 NominalChain chain_of(const NominalArm& nominal) {
   NominalChain chain;
+  chain.device = Device::arm;
   const SerialArm<double>& arm = nominal.arm;
   for (std::size_t i = 0; i < arm.size(); ++i) {
     const double soft = arm.links[i].joint_compliance, long_enough = 1e-3;  // for links whose axes meet

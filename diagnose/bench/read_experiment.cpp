@@ -184,7 +184,7 @@ Run read_run(const Section& section, const Shared& shared) {
   section.allow_only({"id", "state", "control", "begins", "loaded_by", "rest", "samples", "csv", "columns"});
   Run run;
   run.id = section.name("id", "a name");
-  run.alone = shared.experiment.alone;
+  run.device = shared.experiment.device;
   const EndKind& end = run.end();
   const std::string place(end.by_place), load(end.by_load),
       control = section.one_of("control", {place, load, "command"});
@@ -233,6 +233,7 @@ Run read_poses_of(const Section& section, const Source& source, const PoseFormat
   Run run;
   run.id = section.name("id", "a name");
   run.control = Control::force;
+  run.device = experiment.device;
   run.points = experiment.arm_bench.points.size();
   run.of_sensors = experiment.arm_bench.sensor_channels(experiment.arm->arm.size());
   if (section.has("control") && section.text("control", "\"command\"") != "command")
@@ -293,7 +294,7 @@ Experiment read_settings(const Section& root, const Source& source, const Nomina
   static_cast<NominalChain&>(experiment) = model ? nominal : in_si(nominal, units);
   experiment.origins = units.origins(model == nullptr);
   experiment.bench = read_bench(root, nominal.has_links());
-  SampleFormat format = standard_format(experiment.link_length.size(), nominal.alone);
+  SampleFormat format = standard_format(experiment.link_length.size(), nominal.device);
   experiment.loads = read_loads(root, experiment, format);
   for (const Column& column : format.columns)
     if (column.says == Says::covariate) experiment.covariates.push_back(column.channel);

@@ -74,15 +74,15 @@ std::string spelling(const Section& nominal, const std::string& here, const std:
 
 /// Whether the file has a joint alone in place of a chain, and which.
 /// \param lengths  the key of a chain's links
-Alone read_alone(const Section& nominal, const std::string& lengths) {
+Device read_device(const Section& nominal, const std::string& lengths) {
   if (!nominal.has("joint") && !nominal.has(lengths))
     throw Error(nominal.where(), "neither link_length nor joint",
                 "the lengths of a chain, or \"revolute\" or \"prismatic\" for a joint alone");
-  if (!nominal.has("joint")) return Alone::no;
+  if (!nominal.has("joint")) return Device::chain;
   const std::string word = nominal.one_of("joint", {"revolute", "prismatic"});
   for (const char* key : {"link_length", "lengths", "link_mass", "gravity"})
     if (nominal.has(key)) nominal.refuse(key, "nothing beside nominal.joint: a joint alone has no link");
-  return word == "revolute" ? Alone::turns : Alone::slides;
+  return word == "revolute" ? Device::turning_joint : Device::sliding_joint;
 }
 
 }  // namespace
@@ -94,7 +94,7 @@ NominalChain read_nominal(const Section& nominal) {
   const std::string lengths = spelling(nominal, "link_length", "lengths"),
                     stiffness = spelling(nominal, "joint_stiffness", "stiffness");
   NominalChain chain;
-  chain.alone = read_alone(nominal, lengths);
+  chain.device = read_device(nominal, lengths);
   chain.link_length = chain.has_links()
                           ? nominal.numbers(lengths, 0, "a positive length", [](double v) { return v > 0; })
                           : std::vector{1.0};

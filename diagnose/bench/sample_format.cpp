@@ -228,9 +228,9 @@ Column own_column(const std::string& channel, const Quantity* quantity, const st
   return column;
 }
 
-SampleFormat standard_format(std::size_t joints, Alone alone) {
+SampleFormat standard_format(std::size_t joints, Device device) {
   SampleFormat format;
-  format.alone = alone;
+  format.device = device;
   const EndKind& end = format.end();
   format.any_order = !end.has_links;
   format.columns.push_back(own_column("t", &quantity::time));

@@ -58,10 +58,10 @@ struct SampleFormat {
   bool free_end = false;           ///< no force acts on the end point for want of a column
   bool all_known = false;          ///< a column that the format does not have is refused
   std::vector<std::string> ignored = {};  ///< but for these, which are left out
-  Alone alone = Alone::no;
+  Device device = Device::chain;
   std::vector<Column> columns = {};  ///< the time first, the covariates last
 
-  [[nodiscard]] const EndKind& end() const { return end_kind(alone); }
+  [[nodiscard]] const EndKind& end() const { return end_kind(device); }
   [[nodiscard]] std::size_t covariates() const;
 };
 
@@ -71,7 +71,7 @@ void require_keys(const Section& section, const SampleFormat& format, const std:
 
 /// The format without any setting: docs/experiment-format.md, "Sample files". Its columns are t, x, y, Fx,
 /// Fy, q1 … qn, q_command1 … q_commandn, Fx_2, Fy_2; of a joint alone t, angle, torque, q_command1, torque_2.
-SampleFormat standard_format(std::size_t joints, Alone alone = Alone::no);
+SampleFormat standard_format(std::size_t joints, Device device = Device::chain);
 
 /// Adds a covariate, or a value of a load, of its own name.
 /// \param place     of the key that names it

@@ -75,7 +75,7 @@ Run gone(const Shape& from, const Vector2& start, const Vector2& by, bool back,
          const OperatingEnvelope& so_far) {
   const double pause = so_far.sampling_interval;
   Run run{"proposed", from.control, from.rest, {}};
-  run.alone = from.alone;
+  run.device = from.device;
   const int last = back ? 2 * press_steps : press_steps;
   for (int i = 0; i <= last; ++i) {
     const double share = static_cast<double>(std::min(i, 2 * press_steps - i)) / press_steps;
@@ -236,7 +236,7 @@ std::vector<Shape> shapes(const Experiment& experiment, std::size_t most) {
   std::sort(runs.begin(), runs.end(), [](const Run* a, const Run* b) { return a->id < b->id; });
   const bool bends = experiment.has_links();
   for (const Run* run : runs)
-    add({run->control, run->rest, (bends ? "the rest shape of " : "the rest of ") + run->id, run->alone});
+    add({run->control, run->rest, (bends ? "the rest shape of " : "the rest of ") + run->id, run->device});
   for (const Run* run : runs)
     if (bends) add({run->control, mirrored(run->rest), "the mirrored rest shape of " + run->id});
   return all;
@@ -251,7 +251,7 @@ std::vector<CandidateRun> runs_from(const Experiment& experiment, const Shape& s
 
 std::vector<CandidateRun> candidate_runs(const Experiment& experiment, std::size_t most_shapes,
                                          const OperatingEnvelope& so_far) {
-  if (experiment.arm) return candidate_poses(experiment);
+  if (experiment.visits_poses()) return candidate_poses(experiment);
   std::vector<CandidateRun> all = commanded_runs(experiment, so_far);
   const std::vector<Shape> from = shapes(experiment, most_shapes);
   for (CandidateRun& one : load_sweeps(experiment, from, so_far)) all.push_back(std::move(one));

@@ -40,9 +40,9 @@ struct Shape {
   Control control;
   std::vector<double> rest;
   std::string words;
-  Alone alone = Alone::no;
+  Device device = Device::chain;
 
-  [[nodiscard]] const EndKind& end() const { return end_kind(alone); }
+  [[nodiscard]] const EndKind& end() const { return end_kind(device); }
 };
 
 /// The distinct rest shapes of the runs whose joints are not commanded, by their ids, followed by their

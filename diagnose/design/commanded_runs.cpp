@@ -33,7 +33,7 @@ Run commanded(const Experiment& experiment, const std::vector<std::vector<double
               const OperatingEnvelope& so_far) {
   constexpr double unseen = std::numeric_limits<double>::quiet_NaN();
   Run run{"proposed", Control::force, commands.front(), {}};
-  run.alone = experiment.alone;
+  run.device = experiment.device;
   run.by_weights = true;
   const double across = experiment.has_links() ? unseen : 0;
   for (const std::vector<double>& command : commands)

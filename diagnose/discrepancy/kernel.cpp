@@ -61,13 +61,13 @@ double share_of(const CommandRange& range, double value) {
 }  // namespace
 
 CommandStates::CommandStates(const Experiment& experiment) {
-  if (experiment.arm)
-    add_arm(experiment);
+  if (experiment.visits_poses())
+    add_poses(experiment);
   else
-    add_chain(experiment);
+    add_ways(experiment);
 }
 
-void CommandStates::add_chain(const Experiment& experiment) {
+void CommandStates::add_ways(const Experiment& experiment) {
   double reach[2] = {1e-300, 1e-300}, longest = 1e-300;
   std::vector<std::vector<Eigen::Vector2d>> command;
   for (const Run& run : experiment.runs) {
@@ -106,8 +106,8 @@ void CommandStates::add_chain(const Experiment& experiment) {
   alike = likeness(experiment);
 }
 
-void CommandStates::add_arm(const Experiment& experiment) {
-  const std::size_t joints = experiment.arm->arm.size();
+void CommandStates::add_poses(const Experiment& experiment) {
+  const std::size_t joints = experiment.link_length.size();
   const std::vector<CommandRange> range = command_ranges(experiment);
   one_session = true;
   double heaviest = 0, readings = 0, taken = 0;

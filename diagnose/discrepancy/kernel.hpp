@@ -31,8 +31,8 @@ struct CommandStates {
   bool one_session = false;  ///< progress counts on from run to run
 
  private:
-  void add_chain(const Experiment& experiment);
-  void add_arm(const Experiment& experiment);
+  void add_ways(const Experiment& experiment);
+  void add_poses(const Experiment& experiment);
 };
 
 /// A basis for the discrepancies of a block at several correlation lengths: columns C C' is the covariance of

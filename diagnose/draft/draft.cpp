@@ -167,7 +167,7 @@ class Drafting {
 
   /// A unit, a sign, or the axes swapped.
   bool take_of_end(const SuspectedConvention& suspected, std::size_t first) {
-    const Quantity& quantity = *single_channels(model_.chain.alone)[first].quantity;
+    const Quantity& quantity = *single_channels(model_.chain.device)[first].quantity;
     const auto says = [&](const char* words) {
       return suspected.looks_like.find(words) != std::string::npos;
     };

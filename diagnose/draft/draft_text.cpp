@@ -128,7 +128,7 @@ std::string columns_lines(const DraftedRun& run, const DraftedExperiment& experi
   for (std::size_t c = 0; c < draft_singles; ++c) {
     const auto column = c == draft_t && later ? time_of(source, *part) : run.singles[c];
     if (column && (column->constant ? !later : is_there(column->place)))
-      text += fmt::format("{} = {}\n", single_channels(run.alone)[c].name,
+      text += fmt::format("{} = {}\n", single_channels(run.device)[c].name,
                           column_table(*column, reference(source, column->place)));
   }
   text += covariate_lines(run, experiment, is_there);
@@ -159,8 +159,8 @@ std::string noise_lines(const std::vector<DraftedRun>& runs, bool same_columns) 
   for (const DraftedRun& run : runs) {
     for (std::size_t c = draft_x; c < draft_singles; ++c)
       if (run.singles[c] && run.imposes_force == (c < draft_Fx))
-        add(single_channels(run.alone)[c].name, run, *run.singles[c],
-            *single_channels(run.alone)[c].quantity);
+        add(single_channels(run.device)[c].name, run, *run.singles[c],
+            *single_channels(run.device)[c].quantity);
     for (const DraftColumn& column : run.angles) add("q", run, column, quantity::angle);
   }
   std::string text;

@@ -21,9 +21,9 @@ SingleChannel single(const std::vector<Channel>& channels, std::size_t place) {
 
 }  // namespace
 
-const std::array<SingleChannel, draft_singles>& single_channels(Alone alone) {
+const std::array<SingleChannel, draft_singles>& single_channels(Device device) {
   using Channels = std::array<SingleChannel, draft_singles>;
-  const auto of = [](Alone one) {
+  const auto of = [](Device one) {
     const EndKind& end = end_kind(one);
     return Channels{{{"t", &quantity::time},
                      single(end.place, 0),
@@ -31,8 +31,8 @@ const std::array<SingleChannel, draft_singles>& single_channels(Alone alone) {
                      single(end.load, 0),
                      single(end.load, 1)}};
   };
-  static const std::array all{of(Alone::no), of(Alone::turns), of(Alone::slides)};
-  return all[static_cast<std::size_t>(alone)];
+  static const std::array all{of(Device::chain), of(Device::turning_joint), of(Device::sliding_joint)};
+  return all[static_cast<std::size_t>(device)];
 }
 
 std::vector<double> DraftedRun::values(const DraftColumn& column, const Quantity& quantity) const {
@@ -45,7 +45,7 @@ std::vector<double> DraftedRun::values(const DraftColumn& column, const Quantity
 
 std::vector<double> DraftedRun::values(std::size_t single) const {
   if (!singles[single]) return {};
-  return values(*singles[single], *single_channels(alone)[single].quantity);
+  return values(*singles[single], *single_channels(device)[single].quantity);
 }
 
 bool DraftedRun::uses(std::size_t column) const {

@@ -22,7 +22,7 @@ class JointDrafter {
   JointDrafter(const RunSource& source, const DraftModel& model, const Ask& ask)
       : model_(model), ask_(ask), slides_(model.chain.slides(0)) {
     run_.source = source;
-    run_.alone = model.chain.alone;
+    run_.device = model.chain.device;
     words_ = source.words(model.joints);
   }
 
@@ -43,7 +43,7 @@ class JointDrafter {
     return say_guess(run_, ask_, {what + " of " + run_.source.name(), value, reason, doubtful, line});
   }
   [[nodiscard]] const std::string& channel(std::size_t single) const {
-    return single_channels(run_.alone)[single].name;
+    return single_channels(run_.device)[single].name;
   }
   [[nodiscard]] std::string title(std::size_t column) const { return run_.source.shown_title(column); }
   /// The line that a script writes to say what a column holds.
@@ -168,7 +168,7 @@ class JointDrafter {
     const std::array units = slides_ ? std::array{"m", "mm"} : std::array{"rad", "deg"};
     for (const char* const unit : units) {
       const double in_si =
-          most * parse_unit(unit, *single_channels(run_.alone)[draft_x].quantity, "").in_si();
+          most * parse_unit(unit, *single_channels(run_.device)[draft_x].quantity, "").in_si();
       const double off = std::abs(std::log(load / in_si / model_.chain.joint_stiffness.front()));
       if (off < nearest) {
         second = nearest, nearest = off, place.unit = unit;

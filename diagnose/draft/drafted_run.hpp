@@ -31,7 +31,7 @@ struct SingleChannel {
   std::string name;  ///< empty where the bench has none
   const Quantity* quantity;
 };
-const std::array<SingleChannel, draft_singles>& single_channels(Alone alone);
+const std::array<SingleChannel, draft_singles>& single_channels(Device device);
 
 /// A column of a tendon's tension or of an actuator's pressure.
 struct DraftedActuator {
@@ -50,13 +50,13 @@ struct DraftedRun {
   std::vector<DraftColumn> commands;              ///< of all joints, where the run imposes them; or none
   bool imposes_force = false;
   bool by_weights = false;  ///< the imposed load
-  Alone alone = Alone::no;
+  Device device = Device::chain;
   std::vector<std::size_t> further = {};  ///< columns that are used otherwise
   std::vector<double> rest;               ///< rad; empty where the model's serves
   Guesses guesses;
   std::string question;  ///< what a person has to say, in a line; or empty
 
-  [[nodiscard]] const EndKind& end() const { return end_kind(alone); }
+  [[nodiscard]] const EndKind& end() const { return end_kind(device); }
   /// A channel in SI.
   [[nodiscard]] std::vector<double> values(const DraftColumn& column, const Quantity& quantity) const;
   [[nodiscard]] std::vector<double> values(std::size_t single) const;

@@ -11,7 +11,7 @@ namespace {
 using Eigen::VectorXd;
 
 double sigma_of_imposed(const Experiment& experiment, const Run& run) {
-  if (run.imposed().size() > 1 || run.commands_joints()) return 0;
+  if (run.imposed().size() != 1 || run.commands_joints()) return 0;
   return run.imposed().front().sigma(experiment.noise);
 }
 
@@ -145,8 +145,9 @@ bool is_measured_elsewhere(const Experiment& experiment, const Channel& imposed)
 Experiment with_probable_motion(Experiment experiment) {
   if (experiment.runs.empty()) return experiment;
   const double sigma = sigma_of_imposed(experiment, experiment.runs.front());
+  if (sigma == 0) return experiment;
   const Channel imposed = experiment.runs.front().imposed().front();
-  if (sigma == 0 || is_measured_elsewhere(experiment, imposed)) return experiment;
+  if (is_measured_elsewhere(experiment, imposed)) return experiment;
   const std::vector<Trace> passed_on = passed_on_by_one_sigma(experiment);
   for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
     Run& run = experiment.runs[r];

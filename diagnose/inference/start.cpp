@@ -19,8 +19,8 @@ InitialGuesses initial_guesses(const Study& study, const EffectAt& at) {
   const std::vector<ParameterRange> ranges = study.ranges(at);
   if (at.effect->initial_guesses == nullptr) {
     // Every one is refined: where a chain buckles, squares have a valley on either side of the nominal model.
-    // An arm in space comes to rest near its command alone, where they have one.
-    if (ranges.size() == 1 && !study.experiment().arm) return {scan(ranges[0]), 3};
+    // An arm in space and a joint alone come to rest near their command alone, where they have one.
+    if (ranges.size() == 1 && study.experiment().is_planar()) return {scan(ranges[0]), 3};
     return {{std::vector<double>(ranges.size(), 0)}, 1};
   }
   InitialGuesses known =

@@ -116,7 +116,7 @@ page::Chart residual_chart(const Explained& explained, std::size_t place, double
       "residual of " + series.channel.label() + ", σ",
       {before}};
   if (explained.best != nullptr) chart.layers.push_back(after);
-  if (!explained.experiment.arm)
+  if (!explained.experiment.visits_poses())
     chart.across = regime_strips(regimes(run, explained.nominal.runs[series.run]));
   chart.along = {{-2 * sigma, 2 * sigma, "noise"}};
   chart.signed_log = true;

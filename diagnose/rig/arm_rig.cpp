@@ -1,5 +1,7 @@
 #include "diagnose/rig/arm_rig.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <tuple>
 
 #include "diagnose/rig/tube.hpp"
@@ -13,6 +15,27 @@ ArmRig ArmRig::nominal(const Experiment& experiment) {
   rig.load = experiment.arm_bench.load;
   rig.sensors = experiment.arm_bench.sensors;
   return rig;
+}
+
+SerialArm<double> ArmRig::at(double growth, const std::vector<double>& command, double flexibility) const {
+  constexpr double shortest = 1e-6;  // m, that has slid out: as many freedoms wherever it stands
+  const Vector3<double> origin = Vector3<double>::Zero();
+  SerialArm<double> now = arm;
+  now.tip.translation() *= growth;
+  for (ArmLink<double>& link : now.links) link.frame.translation() *= growth, link.centre *= growth;
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    ArmLink<double>& link = now.links[i];
+    const Vector3<double> end = now.far_end(i).translation();
+    if (flexibility > 0 && link.kind == JointKind::prismatic) {
+      const Vector3<double> out =
+          std::copysign(std::max(std::abs(command[i]), shortest), command[i]) * link.axis;
+      link.compliance += carried_on(tube_compliance(out, flexibility), end);
+      part_mass(link, -out, origin);
+    } else if (yields(link)) {
+      part_mass(link, origin, end);
+    }
+  }
+  return now;
 }
 
 Vector3<double> ArmRig::tool_turn(const Vector3<double>& moment) const {
@@ -31,6 +54,11 @@ void ArmRig::read_sensors(const std::vector<Pose<double>>& of_points, Eigen::Ref
 void ArmRig::bend(std::size_t link, double flexibility) {
   if (arm.far_end(link).translation().isZero(0)) return;
   arm.links[link].compliance += tube_compliance(arm.far_end(link).translation(), flexibility);
+}
+
+void ArmRig::stretch(std::size_t link, double strain) {
+  if (arm.far_end(link).translation().isZero(0)) return;
+  arm.links[link].compliance += bar_compliance(arm.far_end(link).translation(), strain);
 }
 
 void add_mass(ArmLink<double>& link, double added, const Vector3<double>& at) {

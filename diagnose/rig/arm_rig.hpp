@@ -28,6 +28,11 @@ struct ArmRig {
 
   /// The arm and the bench of an experiment, without any error.
   static ArmRig nominal(const Experiment& experiment);
+  /// The arm at a command and a temperature, its masses parted where its links yield, see part_mass().
+  /// \param growth  of its lengths
+  /// \param flexibility  1/EI of the tubes that have slid out, up to the joint, 1/(N m^2)
+  [[nodiscard]] SerialArm<double> at(double growth, const std::vector<double>& command,
+                                     double flexibility) const;
   /// Rotation vector of the tool in the axes of the last link.
   /// \param moment  on the tool, in these axes, N m
   [[nodiscard]] Vector3<double> tool_turn(const Vector3<double>& moment) const;
@@ -35,6 +40,8 @@ struct ArmRig {
   void read_sensors(const std::vector<Pose<double>>& of_points, Eigen::Ref<Eigen::ArrayXd> row) const;
   /// Lets a link bend and twist as a round tube. \param flexibility  1/EI, 1/(N m^2)
   void bend(std::size_t link, double flexibility);
+  /// Lets a link stretch. \param strain  by a newton along it
+  void stretch(std::size_t link, double strain);
   friend bool operator==(const ArmRig& a, const ArmRig& b);
 };
 

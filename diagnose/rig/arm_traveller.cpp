@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnose/rig/tube.hpp"
-
 namespace plumbline::diagnose {
 namespace {
 
@@ -32,15 +30,11 @@ ArmTraveller::ArmTraveller(const Experiment& experiment, const Rig& own, const R
     : experiment_(&experiment),
       run_(&run),
       measured_(run.measured()),
-      command_(run, own.drive),
-      on_(own, run.rest),
-      arm_(on_.rig.arm->arm),
+      joints_(own, run),
+      arm_(rig().arm->at(growth_, run.rest, own.flexibility)),
       sliders_(sliders),
       contact_(arm_.size() * sliders_, Contact::sticks),
-      memory_(arm_.size()),
-      rest_(arm_.size()),
       way_(arm_.size(), 0.0) {
-  extend(run.rest);
   Eigen::Index next = 0;
   for (std::size_t i = 0; i < arm_.size(); ++i) {
     joint_.push_back(next);
@@ -49,70 +43,46 @@ ArmTraveller::ArmTraveller(const Experiment& experiment, const Rig& own, const R
   soften();
 }
 
-/// What has slid out of the link before bends up to the joint.
-void ArmTraveller::extend(const std::vector<double>& command) {
-  const SerialArm<double>& still = on_.rig.arm->arm;
-  for (std::size_t i = 0; i < arm_.size() && on_.rig.flexibility > 0; ++i) {
-    if (arm_.links[i].kind != JointKind::prismatic) continue;
-    constexpr double shortest = 1e-6;  // m: as many freedoms wherever it stands
-    const double length = std::max(std::abs(command[i]), shortest);
-    arm_.links[i].compliance =
-        still.links[i].compliance +
-        carried_on(
-            tube_compliance(std::copysign(length, command[i]) * still.links[i].axis, on_.rig.flexibility),
-            still.far_end(i).translation());
-  }
-}
-
 void ArmTraveller::soften() {
   compliance_ = compliance(arm_);
   for (std::size_t i = 0; i < joint_.size(); ++i)
-    if (yields_by_law(on_.rig, i)) compliance_(joint_[i], joint_[i]) = 0;
+    if (yields_by_law(rig(), i)) compliance_(joint_[i], joint_[i]) = 0;
 }
 
-void ArmTraveller::head_for(const Stop& stop) {
-  const Reading& reading = command_.at(stop);
-  const ArmRig& rig = *on_.rig.arm;
-  const double dt = moved_ ? reading.t - time_ : 0;
-  interval_ = moved_ ? time_step(on_, dt) : TimeStep{};
-  interval_.end = reading.t;
-  time_ = reading.t;
-  const std::vector<double> before = on_.command;
-  on_.turn_to(reading.rest);
-  const double way = moved_ ? (column(on_.command) - column(before)).norm() : 0,
-               share = last_way_ > 0 ? way / last_way_ : 0;
-  last_way_ = way;
-  for (std::size_t i = 0; i < rest_.size(); ++i) {
-    if (moved_ && on_.command[i] != before[i]) way_[i] = on_.command[i] > before[i] ? 1 : -1;
-    const double rest = on_.joint[i].rest;
-    (moved_ ? memory_[i].led : memory_[i].angle) = moved_ ? rest - rest_[i] : rest;
-    memory_[i].speed = dt > 0 ? share * memory_[i].turn / dt : 0;  // as the command goes on
-    rest_[i] = rest;
-  }
-  expand(reading);
-  if (on_.rig.flexibility > 0) extend(on_.command), soften();
-  target_ = commanded(arm_, column(rest_));
-  wrenches_.clear();
-  if (!reading.wrench.empty()) {
-    const Eigen::Map<const Vector6<double>> read(reading.wrench.data());
-    const Vector3<double> zero = on_.rig.force_bias + on_.rig.force_drift * reading.t;
-    const double gain = 1 + on_.rig.force_gain;
-    wrenches_.push_back({expanded(rig.load), (read.head<3>() - zero) / gain, read.tail<3>() / gain});
-  }
+void ArmTraveller::head_for(const Stop& stop, const Passage& passage) {
+  const std::vector<double> before = joints_.on().command;
+  const Reading& reading = joints_.head_for(stop, passage);
+  const std::vector<double>& command = joints_.on().command;
+  for (std::size_t i = 0; i < way_.size(); ++i)
+    if (!passage.first && command[i] != before[i]) way_[i] = command[i] > before[i] ? 1 : -1;
+  grow(reading);
+  Vector<double> rest(static_cast<Eigen::Index>(way_.size()));
+  for (std::size_t i = 0; i < way_.size(); ++i) rest(static_cast<Eigen::Index>(i)) = law(i).rest;
+  target_ = commanded(arm_, rest);
+  load(reading);
   hold_weight();
 }
 
-void ArmTraveller::expand(const Reading& reading) {
-  const double rate = on_.rig.arm->expansion;
-  if (rate == 0) return;
-  const double first = experiment_->runs.front().readings.front().covariates.front();
-  growth_ = 1 + rate * (reading.covariates.front() - first);
-  const SerialArm<double>& cold = on_.rig.arm->arm;
-  for (std::size_t i = 0; i < arm_.size(); ++i) {
-    arm_.links[i].frame.translation() = growth_ * cold.links[i].frame.translation();
-    arm_.links[i].centre = growth_ * cold.links[i].centre;
+void ArmTraveller::load(const Reading& reading) {
+  wrenches_.clear();
+  load_.setZero();
+  if (reading.wrench.empty()) return;
+  const Eigen::Map<const Vector6<double>> read(reading.wrench.data());
+  const Vector3<double> zero = rig().force_bias + rig().force_drift * reading.t;
+  const double gain = 1 + rig().force_gain;
+  load_ = (read.head<3>() - zero) / gain;
+  wrenches_.push_back({expanded(rig().arm->load), load_, read.tail<3>() / gain});
+}
+
+void ArmTraveller::grow(const Reading& reading) {
+  const ArmRig& own = *rig().arm;
+  if (own.expansion != 0) {
+    const double first = experiment_->runs.front().readings.front().covariates.front();
+    growth_ = 1 + own.expansion * (reading.covariates.front() - first);
   }
-  arm_.tip.translation() = growth_ * cold.tip.translation();
+  if (own.expansion == 0 && rig().flexibility == 0) return;
+  arm_ = own.at(growth_, joints_.on().command, rig().flexibility);
+  soften();
 }
 
 OnLink<double> ArmTraveller::expanded(OnLink<double> at) const {
@@ -123,11 +93,11 @@ OnLink<double> ArmTraveller::expanded(OnLink<double> at) const {
 /// The servos know the nominal weight of the arm as it is commanded.
 void ArmTraveller::hold_weight() {
   held_.setZero(target_.size());
-  const double share = on_.rig.compensated;
+  const double share = rig().compensated;
   if (share == 0) return;
   const SerialArm<double>& nominal = experiment_->arm->arm;
   const Vector<double> weight =
-      arm_forces(nominal, ArmPosture<double>(nominal, commanded(nominal, column(on_.command))), {});
+      arm_forces(nominal, ArmPosture<double>(nominal, commanded(nominal, column(joints_.on().command))), {});
   Eigen::Index next = 0;
   for (std::size_t i = 0; i < joint_.size(); ++i) {
     held_(joint_[i]) = share * weight(next);
@@ -141,7 +111,7 @@ void ArmTraveller::stand_at(Vector<double> coordinates) {
 }
 
 Torque ArmTraveller::balance(std::size_t joint, double coordinate) const {
-  const Eigen::Vector2d& amount = on_.rig.balance[joint];
+  const Eigen::Vector2d& amount = rig().balance[joint];
   if (amount.isZero(0)) return {};
   const double c = std::cos(coordinate), s = std::sin(coordinate);
   return {amount.dot(Eigen::Vector2d(c, s)), amount.dot(Eigen::Vector2d(-s, c))};
@@ -157,22 +127,33 @@ Vector<double> ArmTraveller::forces(const ArmPosture<double>& posture,
 Vector<double> ArmTraveller::residual(const Vector<double>& force) const {
   Vector<double> all = at_ - target_ - compliance_ * force;
   for (std::size_t i = 0; i < joint_.size(); ++i) {
-    if (!yields_by_law(on_.rig, i)) continue;
-    all(joint_[i]) = (own_torque(i).value - force(joint_[i]) - from_neighbours(i)) / on_.rig.stiffness[i];
+    if (!yields_by_law(rig(), i)) continue;
+    all(joint_[i]) = (own_torque(i).value - force(joint_[i]) - from_neighbours(i)) / rig().stiffness[i];
   }
   return all;
 }
 
 Torque ArmTraveller::own_torque(std::size_t joint) const {
   const double q = at_(joint_[joint]);
-  return on_.joint[joint].elastic(q, memory_[joint]) += history_torque(step(), joint, q, contacts_of(joint));
+  return law(joint).elastic(q, joints_.memory()[joint]) += torque_beside_spring(joint, q);
+}
+
+Torque ArmTraveller::torque_beside_spring(std::size_t joint, double q) const {
+  const RigStep step = joints_.step();
+  Torque torque = history_torque(step, joint, q, contacts_of(joint));
+  if (law(joint).stated.empty()) return torque;
+  const Torque motion = direction_of_motion(step, joint, q, contacts_of(joint));
+  const StatedTorque::Place place = stated_place(step, joint, q, load_.head<2>());
+  for (const StatedTorque& one : law(joint).stated)
+    torque += {one.value(place, motion.value), one.slope(place, motion)};
+  return torque;
 }
 
 double ArmTraveller::from_neighbours(std::size_t joint) const {
   double deflections = 0;
   for (const std::size_t i : {joint - 1, joint + 1})  // before the first one there is none, either
-    if (on_.rig.coupling != 0 && i < joint_.size()) deflections += at_(joint_[i]) - on_.joint[i].rest;
-  return on_.rig.coupling * deflections;
+    if (rig().coupling != 0 && i < joint_.size()) deflections += at_(joint_[i]) - law(i).rest;
+  return rig().coupling * deflections;
 }
 
 Matrix<double> ArmTraveller::tangent(const Matrix<double>& stiffness) const {
@@ -186,12 +167,12 @@ Matrix<double> ArmTraveller::tangent(const Matrix<double>& stiffness) const {
   }
   slope.diagonal().array() += 1;
   for (std::size_t i = 0; i < joint_.size(); ++i) {
-    if (!yields_by_law(on_.rig, i)) continue;
+    if (!yields_by_law(rig(), i)) continue;
     const Eigen::Index k = joint_[i];
-    slope.row(k) = -stiffness.row(k) / on_.rig.stiffness[i];
-    slope(k, k) = std::max(slope(k, k) + own_torque(i).slope / on_.rig.stiffness[i], smallest_slope);
+    slope.row(k) = -stiffness.row(k) / rig().stiffness[i];
+    slope(k, k) = std::max(slope(k, k) + own_torque(i).slope / rig().stiffness[i], smallest_slope);
     for (const std::size_t beside : {i - 1, i + 1})
-      if (beside < joint_.size()) slope(k, joint_[beside]) -= on_.rig.coupling / on_.rig.stiffness[i];
+      if (beside < joint_.size()) slope(k, joint_[beside]) -= rig().coupling / rig().stiffness[i];
   }
   return slope;
 }
@@ -216,23 +197,23 @@ double ArmTraveller::newton_step() {
 
 bool ArmTraveller::change_contacts(bool all) {
   const auto angle = [&](std::size_t joint) { return coordinate_(joint_[joint]); };
-  return settle_contacts(step(), sliders_, all, angle, contact_);
+  return settle_contacts(joints_.step(), sliders_, all, angle, contact_);
 }
 
 /// Joints with play start on the side to which their load pulls them; without load they stay until they are
 /// led.
 void ArmTraveller::start() {
   coordinate_ = target_;
-  const std::vector<double>& play = on_.rig.backlash;
+  const std::vector<double>& play = rig().backlash;
   if (std::all_of(play.begin(), play.end(), [](double b) { return b == 0; })) return;
   const Vector<double> force = forces(ArmPosture<double>(arm_, coordinate_), coordinate_);
   for (std::size_t i = 0; i < joint_.size(); ++i) {
-    if (!yields_by_law(on_.rig, i)) continue;
+    if (!yields_by_law(rig(), i)) continue;
     double& q = coordinate_(joint_[i]);
     if (const double load = force(joint_[i]); load != 0)
-      q += std::copysign(play[i], load) + load / on_.rig.stiffness[i];
+      q += std::copysign(play[i], load) + load / rig().stiffness[i];
     else
-      q = std::clamp(memory_[i].angle, rest_[i] - play[i], rest_[i] + play[i]);
+      q = std::clamp(joints_.memory()[i].angle, law(i).rest - play[i], law(i).rest + play[i]);
   }
 }
 
@@ -251,8 +232,8 @@ bool ArmTraveller::come_to_rest(bool contacts_hold) {
 }
 
 void ArmTraveller::yield_at_base() {
-  const Eigen::Vector2d& soft = on_.rig.arm->mount_compliance;
-  const Pose<double>& still = on_.rig.arm->arm.base;
+  const Eigen::Vector2d& soft = rig().arm->mount_compliance;
+  const Pose<double>& still = rig().arm->arm.base;
   const Vector3<double> moment = still.linear().transpose() * moment_on_base(arm_, *posture_, wrenches_);
   arm_.base = still * rotation_by(Vector3<double>(soft.x() * moment.x(), soft.y() * moment.y(), 0));
 }
@@ -260,7 +241,7 @@ void ArmTraveller::yield_at_base() {
 bool ArmTraveller::come_to_rest_on_mount(bool contacts_hold) {
   if (!come_to_rest(contacts_hold)) return false;
   // The turn of the mount changes the moment on it by its own size, which is small, and that squared is left.
-  for (int i = 0; i < 2 && !on_.rig.arm->mount_compliance.isZero(0); ++i) {
+  for (int i = 0; i < 2 && !rig().arm->mount_compliance.isZero(0); ++i) {
     yield_at_base();
     if (!come_to_rest(contacts_hold)) return false;
   }
@@ -268,7 +249,7 @@ bool ArmTraveller::come_to_rest_on_mount(bool contacts_hold) {
 }
 
 bool ArmTraveller::settle() {
-  arm_.base = on_.rig.arm->arm.base;
+  arm_.base = rig().arm->arm.base;
   start();
   return come_to_rest_on_mount(false);
 }
@@ -282,11 +263,11 @@ std::vector<Eigen::Index> ArmTraveller::shared_with(const ArmTraveller& other) c
 }
 
 bool ArmTraveller::settle_beside(const ArmTraveller& other) {
-  arm_.base = on_.rig.arm->arm.base;
+  arm_.base = rig().arm->arm.base;
   contact_ = other.contact_;
   const std::vector<Eigen::Index> shared = shared_with(other);
   if (shared.size() < static_cast<std::size_t>(other.target_.size()) ||
-      !on_.rig.arm->mount_compliance.isZero(0)) {
+      !rig().arm->mount_compliance.isZero(0)) {
     coordinate_ = target_;
     for (std::size_t i = 0; i < joint_.size(); ++i)
       coordinate_(joint_[i]) += other.coordinate_(other.joint_[i]) - other.target_(other.joint_[i]);
@@ -313,16 +294,14 @@ bool ArmTraveller::settle_beside(const ArmTraveller& other) {
 }
 
 void ArmTraveller::remember() {
-  for (std::size_t i = 0; i < joint_.size(); ++i)
-    diagnose::remember(on_, interval_, i, coordinate_(joint_[i]), contacts_of(i), memory_[i]);
-  moved_ = true;
+  joints_.remember([&](std::size_t i) { return joint_angle(i); },
+                   [&](std::size_t i) { return contacts_of(i); });
 }
 
 /// What a drive has to give, beyond the friction of its joint.
 double ArmTraveller::torque_of_drive(std::size_t joint, double load) const {
-  if (!yields_by_law(on_.rig, joint)) return on_.rig.friction[joint] * way_[joint] - load;
-  const RigStep now = step();
-  return history_torque(now, joint, coordinate_(joint_[joint]), contacts_of(joint)).value - load;
+  if (!yields_by_law(rig(), joint)) return rig().friction[joint] * way_[joint] - load;
+  return torque_beside_spring(joint, joint_angle(joint)).value - load;
 }
 
 Pose<double> ArmTraveller::moved(Pose<double> frame, std::size_t movers) const {
@@ -341,19 +320,19 @@ Pose<double> ArmTraveller::moved(Pose<double> frame, std::size_t movers) const {
 /// The tool's weight is that of the last link, at the tip. The tip's own motion changes the moment by its
 /// small size, and that is left.
 Vector3<double> ArmTraveller::turn_of_tool() const {
-  const ArmRig& rig = *on_.rig.arm;
-  if (rig.tool_compliance == 0 && rig.tool_play == 0 && rig.tool_hinge.isZero(0))
+  const ArmRig& own = *rig().arm;
+  if (own.tool_compliance == 0 && own.tool_play == 0 && own.tool_hinge.isZero(0))
     return Vector3<double>::Zero();
   const std::size_t last = arm_.size() - 1, movers = posture_->moved_by(last);
   const Pose<double> frame = moved(posture_->frame(last), movers - (yields(arm_.links[last]) ? 6 : 0));
   constexpr double unweighed = 1e-3;  // kg: a tool whose model has no mass still hangs by its weight
-  const double mass = std::max(arm_.links[last].mass, unweighed);
+  const double mass = std::max(own.arm.links[last].mass, unweighed);
   Vector3<double> moment = (frame.linear() * arm_.tip.translation()).cross(mass * arm_.gravity);
   for (const ArmWrench<double>& one : wrenches_)
     if (one.at.link == last)
       moment += one.moment +
                 (moved(posture_->of(one.at), movers).translation() - frame.translation()).cross(one.force);
-  return rig.tool_turn(frame.linear().transpose() * moment);
+  return own.tool_turn(frame.linear().transpose() * moment);
 }
 
 /// Where a point of the bench is.
@@ -368,24 +347,24 @@ bool ArmTraveller::reads(const Channel& channel) const {
 }
 
 void ArmTraveller::write(Eigen::Ref<Eigen::ArrayXd> row, const std::vector<Eigen::Matrix3d>& told) const {
-  const ArmRig& rig = *on_.rig.arm;
+  const ArmRig& own = *rig().arm;
   const Vector3<double> tipped = turn_of_tool();
   Pose<double> camera = Pose<double>::Identity();
-  camera.linear() = rotation_by(on_.rig.place_turn);
-  camera.translation() = -camera.linear() * on_.rig.frame_at(time_);
+  camera.linear() = rotation_by(rig().place_turn);
+  camera.translation() = -camera.linear() * rig().frame_at(joints_.interval().end);
   for (std::size_t i = 0; i < joint_.size(); ++i) {
     row(Channel(Channel::Name::q, i).column) =
-        coordinate_(joint_[i]) - on_.rig.encoder[i].off(on_.command[i]);
+        coordinate_(joint_[i]) - rig().encoder[i].off(joints_.on().command[i]);
   }
   std::vector<Pose<double>> seen;
-  for (std::size_t p = 0; p < rig.points.size(); ++p) {
-    seen.push_back(camera * of(rig.points[p], tipped));
+  for (std::size_t p = 0; p < own.points.size(); ++p) {
+    seen.push_back(camera * of(own.points[p], tipped));
     row.segment<3>(Channel(Channel::Name::place, 3 * p, arm_.size()).column) =
-        on_.rig.seen(seen[p].translation()).array();
+        rig().seen(seen[p].translation()).array();
     if (const Channel turn(Channel::Name::turn, 3 * p, arm_.size()); reads(turn))
       row.segment<3>(turn.column) = rotation_vector<double>(told[p].transpose() * seen[p].linear()).array();
   }
-  rig.read_sensors(seen, row);
+  own.read_sensors(seen, row);
   if (!reads(Channel(Channel::Name::drive, 0, arm_.size()))) return;
   const Vector<double> force = forces(ArmPosture<double>(arm_, coordinate_), coordinate_);
   for (std::size_t i = 0; i < joint_.size(); ++i)

@@ -7,9 +7,8 @@
 #include <vector>
 
 #include "diagnose/rig/arm_rig.hpp"
-#include "diagnose/rig/delayed.hpp"
 #include "diagnose/rig/history.hpp"
-#include "diagnose/rig/run_rig.hpp"
+#include "diagnose/rig/joint_states.hpp"
 
 namespace plumbline::diagnose {
 
@@ -20,7 +19,7 @@ class ArmTraveller {
   ArmTraveller(const Experiment& experiment, const Rig& own, const Run& run, std::size_t sliders);
 
   /// Commands the joints and loads the arm as a stop says, as late as the drives follow it.
-  void head_for(const Stop& stop);
+  void head_for(const Stop& stop, const Passage& passage);
   /// Comes to rest there: Newton's method, with contacts of the joints that settle on the way.
   /// \returns false where there is no rest near the command
   bool settle();
@@ -33,15 +32,16 @@ class ArmTraveller {
   /// \param told  orientations of the points on the nominal arm, by which theirs are told
   void write(Eigen::Ref<Eigen::ArrayXd> row, const std::vector<Eigen::Matrix3d>& told) const;
 
+  [[nodiscard]] const JointStates& joints() const { return joints_; }
+  [[nodiscard]] double joint_angle(std::size_t joint) const { return coordinate_(joint_[joint]); }
+
  private:
-  /// Lets what has slid out bend by its length, which Rig::flexibility makes yield in an arm.
-  void extend(const std::vector<double>& command);
   /// Numbers of the freedoms that another arm has too, in its order.
   [[nodiscard]] std::vector<Eigen::Index> shared_with(const ArmTraveller& other) const;
   /// The compliance of all freedoms, of the arm as it is.
   void soften();
-  /// Lengthens the arm by the temperature of a reading.
-  void expand(const Reading& reading);
+  /// Brings the arm to the temperature and the command of a reading, where either changes it.
+  void grow(const Reading& reading);
   /// A place on a link at that temperature.
   [[nodiscard]] OnLink<double> expanded(OnLink<double> at) const;
   /// A frame of the posture, moved to first order to where the arm stands.
@@ -49,6 +49,8 @@ class ArmTraveller {
   [[nodiscard]] Pose<double> moved(Pose<double> frame, std::size_t movers) const;
   [[nodiscard]] Vector3<double> turn_of_tool() const;
   [[nodiscard]] Pose<double> of(const OnLink<double>& point, const Vector3<double>& tool_turn) const;
+  /// Loads the arm with the wrench of a reading, as the load cell's errors leave it.
+  void load(const Reading& reading);
   void hold_weight();
   /// Begins a step of Newton's method at coordinates.
   void stand_at(Vector<double> coordinates);
@@ -61,8 +63,10 @@ class ArmTraveller {
   [[nodiscard]] Vector<double> residual(const Vector<double>& force) const;
   /// Its derivatives, by those of the forces.
   [[nodiscard]] Matrix<double> tangent(const Matrix<double>& stiffness) const;
-  /// The torque of a joint's own law where the arm stands: of its spring and of its history.
+  /// The torque of a joint's own law where the arm stands: of its spring, and of what acts beside it.
   [[nodiscard]] Torque own_torque(std::size_t joint) const;
+  /// Of that, what acts in parallel with the spring: the history, and user effects.
+  [[nodiscard]] Torque torque_beside_spring(std::size_t joint, double q) const;
   /// The torque on a joint of the springs that couple it to its neighbours.
   [[nodiscard]] double from_neighbours(std::size_t joint) const;
   /// \returns the length of the longest step
@@ -73,7 +77,8 @@ class ArmTraveller {
   bool come_to_rest_on_mount(bool contacts_hold);
   bool change_contacts(bool all);
   void start();
-  [[nodiscard]] RigStep step() const { return {on_, interval_, memory_}; }
+  [[nodiscard]] const Rig& rig() const { return joints_.rig(); }
+  [[nodiscard]] const JointLaw& law(std::size_t joint) const { return joints_.on().joint[joint]; }
   [[nodiscard]] const Contact* contacts_of(std::size_t joint) const {
     return contact_.data() + joint * sliders_;
   }
@@ -84,16 +89,13 @@ class ArmTraveller {
   const Experiment* experiment_;
   const Run* run_;
   std::vector<Channel> measured_;
-  LedCommand command_;
-  RunRig on_;
-  SerialArm<double> arm_;            ///< at its temperature, on its mount as it yields
-  double growth_ = 1;                ///< of its lengths
+  JointStates joints_;
+  double growth_ = 1;                ///< of the arm's lengths, by its temperature
+  SerialArm<double> arm_;            ///< so long, see ArmRig::at(), on its mount as it yields
   std::vector<Eigen::Index> joint_;  ///< their freedoms
   Matrix<double> compliance_;        ///< of all freedoms; zero for joints with a law
   std::size_t sliders_;              ///< of each joint
   std::vector<Contact> contact_;
-  std::vector<JointMemory> memory_;
-  TimeStep interval_;
   Vector<double> target_;  ///< coordinates of the arm that does not yield
   Vector<double> coordinate_;
   std::optional<ArmPosture<double>> posture_;  ///< where the last step of Newton's method began
@@ -102,10 +104,8 @@ class ArmTraveller {
   std::vector<ArmWrench<double>> wrenches_;
   Vector<double> residual_;  ///< at the posture, with its derivatives
   Eigen::PartialPivLU<Matrix<double>> tangent_;
-  std::vector<double> rest_;        ///< where the joints stood if nothing yielded
-  std::vector<double> way_;         ///< of their commands: 1 or -1, 0 before the first motion
-  double time_ = 0, last_way_ = 0;  ///< of the last reading; length of the last step of the commands
-  bool moved_ = false;
+  Vector3<double> load_ = Vector3<double>::Zero();  ///< force of the wrench, for user effects
+  std::vector<double> way_;  ///< of the joints' commands: 1 or -1, 0 before the first motion
 };
 
 }  // namespace plumbline::diagnose

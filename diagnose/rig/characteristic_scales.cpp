@@ -135,7 +135,7 @@ void find_device(const Experiment& experiment, CharacteristicScales& size) {
   size.link_mass = experiment.link_mass;
   size.link_mass.resize(n, 0.0);
   size.reach = experiment.link_length;
-  size.axes = experiment.arm ? 3 : experiment.has_links() ? 2 : 1;
+  size.axes = experiment.end().axes;
   for (std::size_t j = 0; j < n; ++j) size.slides.push_back(experiment.slides(j));
   size.rigid.assign(n, false);
   double gravity = std::hypot(experiment.gravity[0], experiment.gravity[1]);

@@ -4,8 +4,9 @@
 #include <limits>
 #include <utility>
 
-#include "diagnose/rig/arm_history.hpp"
-#include "diagnose/rig/run_walk.hpp"
+#include "diagnose/rig/planar_statics.hpp"
+#include "diagnose/rig/spatial_statics.hpp"
+#include "diagnose/rig/walk.hpp"
 
 namespace plumbline::diagnose {
 namespace {
@@ -22,12 +23,15 @@ Layout layout_of(const Rig& rig, const std::vector<Rig>& variations) {
 
 bool walk(const Experiment& experiment, const Run& run, const Rig& rig, const std::vector<Rig>& variations,
           Trace& trace, const std::vector<Trace*>& sensitivity, bool& snapped) {
-  if (rig.arm) return walk_arm(experiment, run, rig, variations, trace, sensitivity);
+  if (rig.arm) {
+    SpatialStatics arm(experiment, run, rig, variations);
+    return Walk(experiment, run, arm).walk(trace, sensitivity);
+  }
   const Layout layout = layout_of(rig, variations);
   const auto with = [&]<int Bandwidth>() {
-    RunWalk<Bandwidth> one(experiment, run, layout, rig, variations);
-    const bool reached = one.walk(trace, sensitivity);
-    snapped = snapped || (reached && one.snapped());
+    PlanarStatics<Bandwidth> chain(experiment, run, layout, rig, variations);
+    const bool reached = Walk(experiment, run, chain).walk(trace, sensitivity);
+    snapped = snapped || (reached && chain.snapped());
     return reached;
   };
   switch (layout.bandwidth()) {
@@ -40,11 +44,12 @@ bool walk(const Experiment& experiment, const Run& run, const Rig& rig, const st
   }
 }
 
-/// Those of a trace.
+/// Those of a trace: as many as a bench has that reads all that can be read of its device.
 Eigen::Index columns_of(const Experiment& experiment) {
-  if (experiment.arm) return columns_of_arm(experiment);
-  const std::size_t links = experiment.link_length.size();
-  return Channel(Channel::Name::tilt, links, links).column;
+  const ArmBench& bench = experiment.arm_bench;
+  return Channel::of_sensor(Channel::Name::distance, bench.sensors.size(), 0, experiment.link_length.size(),
+                            bench.points.size())
+      .column;
 }
 
 }  // namespace

@@ -87,4 +87,9 @@ void Rig::bend(double more) {
   for (std::size_t j = 0; arm && j < length.size(); ++j) arm->bend(j, more);
 }
 
+void Rig::stretch(double more) {
+  if (!arm) axial += more;
+  for (std::size_t j = 0; arm && j < length.size(); ++j) arm->stretch(j, more);
+}
+
 }  // namespace plumbline::diagnose

@@ -176,6 +176,8 @@ struct Rig {
   void scale_length(std::size_t link, double factor);
   /// Lets all links bend. \param flexibility  1/EI, 1/(N m^2)
   void bend(double flexibility);
+  /// Lets all links stretch. \param strain  by a newton along them
+  void stretch(double strain);
   /// The offset of the frame in which places are told, at a time.
   [[nodiscard]] Vector3<double> frame_at(double t) const { return position_offset + t * place_drift; }
   /// A place, in axes that are turned as those of the camera, as it shows it.

@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include "diagnose/rig/tube.hpp"
+
 namespace plumbline::diagnose {
 namespace {
 
@@ -53,6 +55,11 @@ double part_at(std::size_t point, double share) {
   const double side = (static_cast<double>(point) - 1) * gauss_reach / 2;
   return (point == 1 ? constant - quadratic / square : (quadratic + side * linear) / (2 * square)) /
          gauss_weight.at(point);
+}
+
+/// How the mass of a link lies along it; beside it lies what is beyond its ends, or across.
+Lying lying(const Rig& rig, std::size_t link) {
+  return Lying(0.5 + rig.centre[link].x() / rig.length[link]);
 }
 
 template <class At>
@@ -148,16 +155,9 @@ void RigModel<Bandwidth>::add_torque(std::size_t joint, double value, double slo
 template <int Bandwidth>
 template <bool derivatives>
 void RigModel<Bandwidth>::add_stated(std::size_t joint, double q, const Vector2& force, At& at) const {
-  const JointLaw& law = step_->run.joint[joint];
-  const JointMemory& last = step_->memory[joint];
-  const std::size_t s = law.direction;
-  const Torque motion =
-      s < law.slider.size() && !step_->interval.relaxed
-          ? law.dry(law.slider[s], last.slider[s], q, last, (*contact_)[layout_.contact(joint, s)])
-          : Torque{};
-  const TimeStep& interval = step_->interval;
-  const StatedTorque::Place place{q, q - law.rest, interval.end, law.stiffness, force, interval.covariates};
-  for (const StatedTorque& one : law.stated) {
+  const Torque motion = direction_of_motion(*step_, joint, q, contact_->data() + layout_.contact(joint, 0));
+  const StatedTorque::Place place = stated_place(*step_, joint, q, force);
+  for (const StatedTorque& one : step_->run.joint[joint].stated) {
     const double value = one.value(place, motion.value);
     if constexpr (!derivatives) {
       add_torque<false>(joint, value, 0, at);
@@ -211,10 +211,10 @@ void RigModel<Bandwidth>::add_rigid_links(const Vector<double>& angle, const Vec
   }
   for (std::size_t j = 0; j < layout_.links; ++j) {
     const Eigen::Index i = index(j);
-    const Vector2 carried =
-        run.beyond[j] + 0.5 * run.rig.weight[j] + carried_by(*loads_, j, [](double share) { return share; });
+    const Vector2 carried = run.beyond[j] + lying(run.rig, j).centre * run.rig.weight[j] +
+                            carried_by(*loads_, j, [](double share) { return share; });
     const Piece link = piece(run.rig.length[j], along_[j], force, carried, run.rig.axial);
-    add_off_centre<derivatives>(j, i, along_[j], at);
+    add_beside<derivatives>(j, 1, i, along_[j], at);
     at.residual(i) += link.residual;
     at.end_point.x += link.moved.x();
     at.end_point.y += link.moved.y();
@@ -245,12 +245,14 @@ void RigModel<Bandwidth>::add_bending_link(std::size_t j, const Vector<double>& 
       if (b <= a) at.hessian(a - b, first + b) += c;
     }
   }
-  add_off_centre<derivatives>(j, first + 1, unit_vector(angle(first + 1)), at);
+  const Lying mass = lying(run.rig, j);
+  add_beside<derivatives>(j, 1 - mass.centre, first, unit_vector(angle(first)), at);
+  add_beside<derivatives>(j, mass.centre, first + 2, unit_vector(angle(first + 2)), at);
   for (std::size_t g = 0; g < 3; ++g) {
     const double s = gauss_place[g];
     const Eigen::Vector3d shape((1 - s) * (1 - 2 * s), 4 * s * (1 - s), s * (2 * s - 1));
     const double phi = shape.dot(angle.segment<3>(first));
-    const Vector2 carried = run.beyond[j] + (1 - s) * run.rig.weight[j] +
+    const Vector2 carried = run.beyond[j] + mass.carried(s) * run.rig.weight[j] +
                             carried_by(*loads_, j, [g](double share) { return part_at(g, share); });
     const Vector2 along = unit_vector(phi);
     const Piece part = piece(gauss_weight[g] * length, along, force, carried, run.rig.axial);
@@ -269,11 +271,13 @@ void RigModel<Bandwidth>::add_bending_link(std::size_t j, const Vector<double>& 
 
 template <int Bandwidth>
 template <bool derivatives>
-void RigModel<Bandwidth>::add_off_centre(std::size_t link, Eigen::Index node, const Vector2& u,
-                                         At& at) const {
-  const Vector2& off = step_->run.rig.centre[link];
-  if (off.isZero(0)) return;
-  const Vector2 n(-u.y(), u.x()), &weight = step_->run.rig.weight[link];
+void RigModel<Bandwidth>::add_beside(std::size_t link, double share, Eigen::Index node, const Vector2& u,
+                                     At& at) const {
+  const Rig& rig = step_->run.rig;
+  if (rig.centre[link].isZero(0)) return;
+  const Vector2 off(rig.centre[link].x() - (lying(rig, link).centre - 0.5) * rig.length[link],
+                    rig.centre[link].y());
+  const Vector2 n(-u.y(), u.x()), weight = share * rig.weight[link];
   at.residual(node) -= weight.dot(off.x() * n - off.y() * u);
   if constexpr (!derivatives) return;
   const double lifted = weight.dot(off.x() * u + off.y() * n);

@@ -65,9 +65,9 @@ class RigModel {
   void add_rigid_links(const Vector<double>& angle, const Vector2& force, At& at) const;
   template <bool derivatives>
   void add_bending_link(std::size_t link, const Vector<double>& angle, const Vector2& force, At& at) const;
-  /// The weight of a link about its middle, where its mass does not lie evenly.
+  /// The moment of a share of a link's weight, by as much as its centre lies beside the link.
   template <bool derivatives>
-  void add_off_centre(std::size_t link, Eigen::Index node, const Vector2& u, At& at) const;
+  void add_beside(std::size_t link, double share, Eigen::Index node, const Vector2& u, At& at) const;
   template <bool derivatives>
   void add_end(const Vector<double>& angle, const Vector2& force, At& at) const;
 

@@ -126,6 +126,19 @@ TimeStep time_step(const RunRig& run, double dt) {
   return result;
 }
 
+Torque direction_of_motion(const RigStep& step, std::size_t joint, double q, const Contact* contact) {
+  const JointLaw& law = step.run.joint[joint];
+  const JointMemory& last = step.memory[joint];
+  const std::size_t s = law.direction;
+  if (s >= law.slider.size() || step.interval.relaxed) return {};
+  return law.dry(law.slider[s], last.slider[s], q, last, contact[s]);
+}
+
+StatedTorque::Place stated_place(const RigStep& step, std::size_t joint, double q, const Vector2& force) {
+  const JointLaw& law = step.run.joint[joint];
+  return {q, q - law.rest, step.interval.end, law.stiffness, force, step.interval.covariates};
+}
+
 void remember(const RunRig& run, const TimeStep& during, std::size_t joint, double q, const Contact* contact,
               JointMemory& memory) {
   const JointLaw& law = run.joint[joint];

@@ -79,6 +79,13 @@ inline Torque history_torque(const RigStep& step, std::size_t joint, double q, c
   return torque;
 }
 
+/// The direction of a joint's motion, which a slider represents for user effects: 1 or -1, or between them
+/// while the joint sticks; 0 before the first motion.
+Torque direction_of_motion(const RigStep& step, std::size_t joint, double q, const Contact* contact);
+/// The variables of user effects at a joint.
+/// \param force  on the end point
+StatedTorque::Place stated_place(const RigStep& step, std::size_t joint, double q, const Vector2& force);
+
 /// Brings the memory of a joint to the angle at which it has arrived.
 void remember(const RunRig& run, const TimeStep& during, std::size_t joint, double q, const Contact* contact,
               JointMemory& memory);

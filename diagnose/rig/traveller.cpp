@@ -4,31 +4,21 @@
 #include <numeric>
 
 #include "diagnose/rig/load_cell.hpp"
-#include "diagnose/rig/substeps.hpp"
+#include "diagnose/rig/nominal.hpp"
 
 namespace plumbline::diagnose {
 
 Traveller::Traveller(const Experiment& experiment, const Rig& rig, const Run& run)
-    : on(rig, run.rest),
-      command(run, rig.drive),
+    : joints(rig, run),
       unloaded(unloaded_end(experiment, run.rest)),
-      memory(run.rest.size()),
       experiment_(&experiment),
       load_history_(experiment.loads, rig.length.size(), rig.moment_arm_error, rig.capstan_friction) {
-  for (std::size_t i = 0; i < memory.size(); ++i) {
-    memory[i].angle = on.joint[i].rest;
-    rest_then_.push_back(on.joint[i].rest);
-  }
-}
-
-void Traveller::turn_to(const std::vector<double>& rest) {
-  on.turn_to(rest);
-  for (std::size_t i = 0; i < memory.size(); ++i) memory[i].led = on.joint[i].rest - rest_then_[i];
+  if (rig.compensated != 0) nominal_centre_ = nominal_rig(experiment).centre;
 }
 
 const Imposed& Traveller::impose(const Run& run, const Reading& reading, double growing) {
   imposed = {run.control, at_end(run, reading, growing), load_history_.next(reading.covariates)};
-  if (on.rig.compensated != 0) hold_weight(run.rest_at(reading), imposed.loads.moment);
+  if (joints.rig().compensated != 0) hold_weight(run.rest_at(reading), imposed.loads.moment);
   return imposed;
 }
 
@@ -38,16 +28,18 @@ void Traveller::hold_weight(const std::vector<double>& commanded, std::vector<do
   const Vector2 gravity(experiment_->gravity[0], experiment_->gravity[1]);
   Vector2 beyond = Vector2::Zero();  // weight of the links beyond
   for (std::size_t i = commanded.size(); i-- > 0;) {
-    const Vector2 across(-std::sin(theta), std::cos(theta)), own = experiment_->link_mass[i] * gravity;
-    torque += experiment_->link_length[i] * across.dot(beyond + own / 2);
-    moment[i] -= on.rig.compensated * torque;
+    const Vector2 along(std::cos(theta), std::sin(theta)), across(-along.y(), along.x()),
+        own = experiment_->link_mass[i] * gravity, off = nominal_centre_[i];
+    torque += experiment_->link_length[i] * across.dot(beyond + own / 2) +
+              own.dot(off.x() * across - off.y() * along);
+    moment[i] -= joints.rig().compensated * torque;
     beyond += own;
     theta -= commanded[i];
   }
 }
 
 Vector2 Traveller::felt_force(double t, double direction) const {
-  const Rig& rig = on.rig;
+  const Rig& rig = joints.rig();
   const Vector2 force(posture.force.x, posture.force.y);
   Vector2 felt = shown_by_cell(rig, turned(force, -rig.misalignment)) + zero_of_cell(rig, t);
   felt.x() += rig.guide_friction * direction;
@@ -56,24 +48,17 @@ Vector2 Traveller::felt_force(double t, double direction) const {
 
 Vector2 Traveller::load_on_second(const Run& run) const {
   const Vector2 force = run.holds_end_point() ? Vector2(posture.force.x, posture.force.y) : imposed.value;
-  return turned(force, -on.rig.misalignment);
+  return turned(force, -joints.rig().misalignment);
 }
 
-void Traveller::expect(double share, double dt) {
-  for (JointMemory& joint : memory) joint.speed = dt > 0 ? share * joint.turn / dt : 0;
-}
-
-void Traveller::remember(const Layout& layout, const TimeStep& during) {
-  for (std::size_t i = 0; i < memory.size(); ++i) {
-    const Contact* const contact = posture.contact.data() + layout.contact(i, 0);
-    diagnose::remember(on, during, i, layout.joint_angle(posture.angle, i), contact, memory[i]);
-    rest_then_[i] = on.joint[i].rest;
-  }
+void Traveller::remember(const Layout& layout) {
+  joints.remember([&](std::size_t i) { return layout.joint_angle(posture.angle, i); },
+                  [&](std::size_t i) { return posture.contact.data() + layout.contact(i, 0); });
 }
 
 /// The true end point or force.
 Vector2 Traveller::at_end(const Run& run, const Reading& reading, double growing) const {
-  const Rig& rig = on.rig;
+  const Rig& rig = joints.rig();
   if (run.holds_end_point())
     return unloaded + (1 + rig.drive.gain) * turned(run.imposed_at(reading) - unloaded, rig.misalignment) +
            rig.frame_at(reading.t).head<2>();

@@ -6,7 +6,7 @@
 
 #include "diagnose/bench/experiment.hpp"
 #include "diagnose/rig/chain_loads.hpp"
-#include "diagnose/rig/delayed.hpp"
+#include "diagnose/rig/joint_states.hpp"
 #include "diagnose/rig/rig_solver.hpp"
 
 namespace plumbline::diagnose {
@@ -14,9 +14,6 @@ namespace plumbline::diagnose {
 class Traveller {
  public:
   Traveller(const Experiment& experiment, const Rig& rig, const Run& run);
-
-  /// Commands other joint angles.
-  void turn_to(const std::vector<double>& rest);
 
   /// The true end point (after position offset and rail misalignment) or the true force (after the load cell,
   /// the pulley and the rail) of a command, and the next loads along the chain. The rail turns about the
@@ -30,18 +27,12 @@ class Traveller {
   /// The load on a second sensor beside the first one.
   [[nodiscard]] Vector2 load_on_second(const Run& run) const;
 
-  /// Sets the expected joint speeds from those of the last step.
-  /// \param share  length of the next step of the command over that of the last
-  void expect(double share, double dt);
+  void remember(const Layout& layout);
 
-  void remember(const Layout& layout, const TimeStep& during);
-
-  RunRig on;
-  LedCommand command;
+  JointStates joints;
   Vector2 unloaded;                                      ///< end point of the nominal chain at rest
   Imposed imposed{Control::end_point, Vector2::Zero()};  ///< last
   Posture posture;
-  std::vector<JointMemory> memory;
 
  private:
   /// Adds the moments by which servos hold a share of the nominal weight of the chain as it is commanded.
@@ -49,7 +40,7 @@ class Traveller {
   [[nodiscard]] Vector2 at_end(const Run& run, const Reading& reading, double growing) const;
 
   const Experiment* experiment_;
-  std::vector<double> rest_then_;  ///< of each joint, at the last reading
+  std::vector<Vector2> nominal_centre_;  ///< see Rig::centre, where servos hold the weight
   LoadHistory load_history_;
 };
 

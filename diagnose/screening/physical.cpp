@@ -263,10 +263,6 @@ void require_device(const Experiment& experiment) {
 
 void require_bench(const Experiment& bench) {
   require_device(bench);
-  if (bench.arm && !(std::ranges::max(bench.noise.sigma) > 0))
-    throw Error("noise", "no figure for anything that an arm's bench measures",
-                "a positive one for place, turn, q or torque");
-  if (bench.arm) return;
   for (const Run& run : bench.runs) require_anything_measured(run, bench.noise);
 }
 

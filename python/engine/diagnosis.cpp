@@ -141,7 +141,7 @@ std::string unit_of(const diagnose::Channel& channel, const Experiment& experime
 /// A measured series beside what the nominal and the corrected model say.
 py::dict curve_of(const diagnose::Series& series, const diagnose::Explained& seen) {
   const diagnose::Run& run = seen.experiment.runs[series.run];
-  const diagnose::Command command = seen.experiment.arm ? by_reading(run) : command_of(run);
+  const diagnose::Command command = seen.experiment.visits_poses() ? by_reading(run) : command_of(run);
   const Eigen::Index column = series.channel.column;
   std::vector<double> along, measured, nominal, corrected;
   for (const std::size_t r : series.readings) {

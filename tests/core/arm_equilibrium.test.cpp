@@ -39,6 +39,8 @@ SerialArm<double> random_arm() {
     if (*rc::gen::inRange(0, 3) > 0) continue;
     const Matrix6<double> half = 1e-3 * Matrix6<double>::Random();
     link.compliance = half * half.transpose();
+    link.far_mass = random_hundredths(0, 10);
+    link.far_centre = random_vector(1);
   }
   return arm;
 }
@@ -64,8 +66,11 @@ Eigen::Index size_of(const SerialArm<double>& arm) {
 double work(const SerialArm<double>& arm, const std::vector<ArmWrench<double>>& wrenches, const VectorXd& u) {
   const ArmPosture<double> posture(arm, u);
   double sum = 0;
-  for (std::size_t i = 0; i < arm.size(); ++i)
-    sum += arm.links[i].mass * arm.gravity.dot(posture.frame(i) * arm.links[i].centre);
+  for (std::size_t i = 0; i < arm.size(); ++i) {
+    const ArmLink<double>& link = arm.links[i];
+    sum += arm.gravity.dot(link.mass * (posture.frame(i) * link.centre) +
+                           link.far_mass * (posture.far_frame(i) * link.far_centre));
+  }
   for (const ArmWrench<double>& one : wrenches) sum += one.force.dot(posture.of(one.at).translation());
   return sum;
 }
@@ -223,6 +228,22 @@ TEST_CASE("a horizontal cantilever on a soft joint hangs where its moment balanc
   arm.links[0].mass = 2;
   const double q = equilibrium(arm, VectorXd(VectorXd::Zero(1)), {})(0);
   CHECK(20 * q == close_to(-10 * std::cos(q)));
+}
+
+TEST_CASE("a mass that moves with the far end of a link turns it as a weight there, and loads the base") {
+  SerialArm<double> arm = planar({1}, {20});
+  arm.gravity = {0, -10, 0};
+  arm.links[0].joint_compliance = 0;
+  arm.links[0].compliance(5, 5) = 1e-2;
+  arm.links[0].far_mass = 2, arm.links[0].far_centre = {1.5, 0, 0};
+  require_physical(arm);
+  const VectorXd u = equilibrium(arm, VectorXd(VectorXd::Zero(1)), {});
+  const double turn = u(6);
+  CHECK(turn == close_to(-1e-2 * 20 * 0.5 * std::cos(turn)));
+  CHECK(moment_on_base(arm, ArmPosture<double>(arm, u), {}).z() ==
+        close_to(-20 * (1 + 0.5 * std::cos(turn))));
+  arm.links[0].compliance.setZero();
+  CHECK_THROWS_WITH_AS(require_physical(arm), doctest::Contains("far end, which does not yield"), Error);
 }
 
 TEST_CASE("an arm that buckles is told") {

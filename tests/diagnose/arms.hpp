@@ -92,6 +92,7 @@ inline Experiment arm_bench(const NominalArm& arm, std::size_t readings, const M
   for (const double weight : {0.0, 3.0}) {
     Run run{weight > 0 ? "loaded" : "unloaded", Control::force, poses.front(), {}};
     run.by_weights = true;
+    run.device = experiment.device;
     run.points = 1;
     for (const std::vector<double>& pose : poses) {
       Reading reading{static_cast<double>(30 * run.readings.size()), {std::nan(""), std::nan(""), 0, 0}};

@@ -4,7 +4,7 @@ usage: rows.test.py
 """
 import re
 
-from documents import ROOT, tables
+from documents import ROOT
 
 PAGE = ROOT / "docs" / "contributing.md"
 # A row that stands for its kind, as code outside of it has to name it.
@@ -24,7 +24,8 @@ def naming(pattern):
             if "draft" not in path.parts and re.search(pattern, path.read_text(encoding="utf-8"))}
 
 
-listed = {row[0]: set(re.findall(r"`([^`]+)`", row[2])) for row in tables(PAGE)["A row"][0][1:]}
+items = re.findall(r"^- (.+) \(as `\w+`\): ((?:.|\n  )+); also", PAGE.read_text(encoding="utf-8"), re.M)
+listed = {kind: set(re.findall(r"`([^`]+)`", files)) for kind, files in items}
 assert set(listed) == set(SPECIMENS), f"{PAGE.name}: found the rows {sorted(listed)}, expected {sorted(SPECIMENS)}"
 for kind, pattern in SPECIMENS.items():
     found = naming(pattern)

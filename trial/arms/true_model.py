@@ -7,6 +7,9 @@ STEP = 0.004  # s, of the dynamics
 HEAVY = 5e-4  # s^2: inertia over stiffness of what rubs, so that MuJoCo's soft friction sticks
 RIGID = f'solimpfriction="0.9999 0.9999 0.001" solreffriction="{2 * STEP} 1"'
 LOOSE_TOOL = 1e-3  # kg of the last link's: what hangs behind a loose flange, so that it tips without a load too
+PIECES = 8  # of a link that bends
+LAST = 1 - 0.5 / PIECES  # share of its length at which the last piece begins
+WEIGHTLESS = 1e-6  # kg, which MuJoCo wants of a body
 STOP = 1e6  # N m/rad: a flange that has tipped as far as it can
 
 
@@ -33,7 +36,7 @@ def document(shape, truth):
     bodies = 1
     for i in range(shape.size):
         lines += link_body(shape, truth, i)
-        bent = bent_half(shape, truth, i)
+        bent = bent_pieces(shape, truth, i)
         bodies += 1 + len(bent)
         lines += bent
     lines += tool(shape, truth) + ["</body>"] * bodies
@@ -57,12 +60,12 @@ def link_body(shape, truth, i):
     link = shape.links[i]
     start = np.array(link.place) + truth.shift[i]
     if i > 0 and (i - 1) in truth.bending:
-        start = start - np.array(link.place) / 2  # the bent link's second half begins at its middle
+        start = start - np.array(link.place) * LAST  # the bent link's last piece begins there
     turn = rotation(link.turn) @ rotation_about(truth.tilt[i])
-    mass = link.mass * (1 + truth.heavier[i])
+    mass, centre = masses(shape, truth, i)[0]
     friction = f' frictionloss="{truth.friction[i]}" {RIGID} armature="{link.stiffness * HEAVY}"' if truth.friction[i] > 0 else ""
     lines = [f'<body name="link_{i + 1}" pos="{text(start)}" quat="{text(quaternion(turn))}">',
-             f'<inertial pos="{text(np.array(link.centre) + truth.centre[i])}" mass="{mass:.12g}" diaginertia="{text([inertia(link)] * 3)}"/>']
+             f'<inertial pos="{text(centre)}" mass="{mass:.12g}" diaginertia="{text([inertia(link)] * 3)}"/>']
     lines.append(f'<joint name="{link.joint}" type="{link.kind}" axis="{text(link.axis)}"{friction}/>')
     if i == 0 and truth.gas_spring:  # its bracket turns with the column
         lines.append(f'<site name="gas_base" pos="{text(turn.T @ (np.array(truth.gas_spring[2]) - start))}"/>')
@@ -77,17 +80,47 @@ def anchors(truth, i):
     return [(name, element[4]) for name, element in held if element and element[3] == i]
 
 
-def bent_half(shape, truth, i):
-    """A link that bends as a cantilever tube of rigidity EI: hinges of L/EI in its middle, slides of L^3/(12 EI), a twist of 1.3 L/EI."""
+def reach_of(shape, i):
+    """From a link's joint to the next, or to the tip."""
+    return np.array(shape.links[i + 1].place if i + 1 < shape.size else shape.tip)
+
+
+def masses(shape, truth, i):
+    """Masses of a link's pieces with their centres in the frame of the link; of a rigid link the only one.
+
+    A tube lies evenly between the ends; what its centre leaves, a motor or a gear, sits at the nearer end.
+    """
+    link = shape.links[i]
+    mass, centre = link.mass * (1 + truth.heavier[i]), np.array(link.centre) + truth.centre[i]
+    if i not in truth.bending:
+        return [(mass, centre)]
+    reach = reach_of(shape, i)
+    along = np.clip(centre @ reach / (reach @ reach), 0.0, 1.0)
+    tube = 2 * min(along, 1 - along)
+    cuts = np.array([0.0, *(np.arange(PIECES) + 0.5) / PIECES, 1.0])
+    share, at = tube * np.diff(cuts), (cuts[1:] + cuts[:-1]) / 2
+    end, motor = (0, 0.0) if along < 0.5 else (-1, 1.0)
+    at[end] = (share[end] * at[end] + (1 - tube) * motor) / max(share[end] + 1 - tube, 1e-300)
+    share[end] += 1 - tube
+    return [(max(mass * s, WEIGHTLESS), centre + (a - along) * reach) for s, a in zip(share, at)]
+
+
+def bent_pieces(shape, truth, i):
+    """A link that bends as a cantilever tube of rigidity EI, in pieces: each has hinges of l/EI in its middle, slides of l^3/(12 EI), a twist of 1.3 l/EI."""
     if i not in truth.bending:
         return []
-    reach = np.array(shape.links[i + 1].place if i + 1 < shape.size else shape.tip)
-    length, rigidity = np.linalg.norm(reach), truth.bending[i]
-    joints = [fine_joint(f"twist_{i}", "hinge", reach / length, rigidity / length / 1.3)]
-    for a, axis in enumerate(across(reach / length)):
-        joints += [fine_joint(f"bend_{i}_{a}", "hinge", axis, rigidity / length),
-                   fine_joint(f"sag_{i}_{a}", "slide", axis, 12 * rigidity / length**3)]
-    return [f'<body name="half_{i}" pos="{text(reach / 2)}"><inertial pos="0 0 0" mass="1e-6" diaginertia="1e-6 1e-6 1e-6"/>' + "".join(joints)]
+    reach = reach_of(shape, i)
+    length, rigidity = np.linalg.norm(reach) / PIECES, truth.bending[i]
+    found = []
+    for k, (mass, centre) in enumerate(masses(shape, truth, i)[1:]):
+        joints = [fine_joint(f"twist_{i}_{k}", "hinge", reach, rigidity / length / 1.3)]
+        for a, axis in enumerate(across(reach / np.linalg.norm(reach))):
+            joints += [fine_joint(f"bend_{i}_{k}_{a}", "hinge", axis, rigidity / length),
+                       fine_joint(f"sag_{i}_{k}_{a}", "slide", axis, 12 * rigidity / length**3)]
+        start = reach * (0.5 if k == 0 else 1.0) / PIECES
+        found.append(f'<body name="piece_{i}_{k}" pos="{text(start)}"><inertial pos="{text(centre - (k + 0.5) / PIECES * reach)}"'
+                     f' mass="{mass:.12g}" diaginertia="1e-6 1e-6 1e-6"/>' + "".join(joints))
+    return found
 
 
 def tool(shape, truth):
@@ -95,7 +128,7 @@ def tool(shape, truth):
     last = shape.size - 1
     tip = np.array(shape.tip) + truth.tip_shift
     if last in truth.bending:
-        tip = tip - np.array(shape.tip) / 2
+        tip = tip - np.array(shape.tip) * LAST
     if truth.loose_flange == 0 and truth.payload == 0:
         return [f'<site name="tip" pos="{text(tip)}"/>']
     hinge = f'<joint name="flange" type="hinge" axis="0 1 0" armature="0.01" stiffness="{STOP}"/>' if truth.loose_flange > 0 else ""

@@ -76,28 +76,32 @@ class ArmPosture {
     Pose<Real> at = arm.base;
     Eigen::Index next = 0;
     frame_.reserve(arm.size());
+    far_frame_.reserve(arm.size());
     freedom_.reserve(static_cast<std::size_t>(coordinate.size()));
     for (std::size_t i = 0; i < arm.size(); ++i) {
       const ArmLink<Real>& link = arm.links[i];
       at = at * link.frame;
       move(at, link.kind, i, true, link.axis, coordinate(next++));
       frame_.push_back(at);
-      if (!yields(link)) continue;
-      const Pose<Real>& end = arm.far_end(i);
-      at = at * Eigen::Translation<Real, 3>(end.translation());
-      for (const JointKind kind : {JointKind::prismatic, JointKind::revolute})
-        for (Eigen::Index axis = 0; axis < 3; ++axis)
-          move(at, kind, i, false, Vector3<Real>::Unit(axis), coordinate(next++));
-      at = at * Eigen::Translation<Real, 3>(-end.translation());
+      if (yields(link)) {
+        const Pose<Real>& end = arm.far_end(i);
+        at = at * Eigen::Translation<Real, 3>(end.translation());
+        for (const JointKind kind : {JointKind::prismatic, JointKind::revolute})
+          for (Eigen::Index axis = 0; axis < 3; ++axis)
+            move(at, kind, i, false, Vector3<Real>::Unit(axis), coordinate(next++));
+        at = at * Eigen::Translation<Real, 3>(-end.translation());
+      }
+      far_frame_.push_back(at);
     }
-    beyond_last_ = at;
   }
 
   /// The frame of a link, before its far end yields.
   [[nodiscard]] const Pose<Real>& frame(std::size_t link) const { return frame_[link]; }
+  /// The same as the far end moves it, where the link yields.
+  [[nodiscard]] const Pose<Real>& far_frame(std::size_t link) const { return far_frame_[link]; }
   /// A frame that a link carries, in the world. On the last link it yields with the far end.
   [[nodiscard]] Pose<Real> of(const OnLink<Real>& one) const {
-    return (one.link + 1 < frame_.size() ? frame_[one.link] : beyond_last_) * one.frame;
+    return (one.link + 1 < frame_.size() ? frame_ : far_frame_)[one.link] * one.frame;
   }
   /// All freedoms, from the base on.
   [[nodiscard]] const std::vector<ArmFreedom<Real>>& freedoms() const { return freedom_; }
@@ -120,8 +124,7 @@ class ArmPosture {
     }
   }
 
-  std::vector<Pose<Real>> frame_;
-  Pose<Real> beyond_last_;
+  std::vector<Pose<Real>> frame_, far_frame_;
   std::vector<ArmFreedom<Real>> freedom_;
 };
 

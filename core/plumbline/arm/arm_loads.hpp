@@ -46,9 +46,12 @@ void for_loads_beyond(const SerialArm<Real>& arm, const ArmPosture<Real>& postur
   const std::vector<ArmFreedom<Real>>& freedom = posture.freedoms();
   std::vector<LoadBeyond<Real>> carried(freedom.size() + 1);  // by what so many freedoms move
   for (std::size_t i = 0; i < arm.size(); ++i) {
-    // The mass of a link sits before its far end yields.
-    const std::size_t movers = posture.moved_by(i) - (i + 1 == arm.size() && yields(arm.links[i]) ? 6 : 0);
-    carried[movers].add(arm.links[i].mass * arm.gravity, posture.frame(i) * arm.links[i].centre);
+    const ArmLink<Real>& link = arm.links[i];
+    const std::size_t near = posture.moved_by(i) - (i + 1 == arm.size() && yields(link) ? 6 : 0);
+    carried[near].add(link.mass * arm.gravity, posture.frame(i) * link.centre);
+    if (link.far_mass != Real(0))
+      carried[near + (yields(link) ? 6 : 0)].add(link.far_mass * arm.gravity,
+                                                 posture.far_frame(i) * link.far_centre);
   }
   for (const ArmWrench<Real>& one : wrenches) {
     LoadBeyond<Real>& load = carried[posture.moved_by(one.at.link)];
@@ -117,8 +120,11 @@ template <Floating Real>
 Vector3<Real> moment_on_base(const SerialArm<Real>& arm, const ArmPosture<Real>& posture,
                              const std::vector<ArmWrench<Real>>& wrenches) {
   LoadBeyond<Real> all;
-  for (std::size_t i = 0; i < arm.size(); ++i)
+  for (std::size_t i = 0; i < arm.size(); ++i) {
     all.add(arm.links[i].mass * arm.gravity, posture.frame(i) * arm.links[i].centre);
+    if (arm.links[i].far_mass != Real(0))
+      all.add(arm.links[i].far_mass * arm.gravity, posture.far_frame(i) * arm.links[i].far_centre);
+  }
   for (const ArmWrench<Real>& one : wrenches) {
     all.add(one.force, posture.of(one.at).translation());
     all.moment += one.moment;

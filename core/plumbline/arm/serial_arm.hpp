@@ -51,6 +51,8 @@ struct ArmLink {
   Real joint_compliance{0};  ///< rad/(N m) or m/N: the joint yields so much beyond its command; 0 is rigid
   Real mass{0};              ///< kg
   Vector3<Real> centre = Vector3<Real>::Zero();  ///< of mass, in the link's frame, m
+  Real far_mass{0};                              ///< kg, beside it: moves with the far end as the link yields
+  Vector3<Real> far_centre = Vector3<Real>::Zero();  ///< of that mass, in the link's frame, m
   /// Twist of the link's far end by a wrench there, in the axes of the link: m/N, rad/(N m). The far end is
   /// the origin of the next link's frame, or the tip. Symmetric; zero is rigid.
   Matrix6<Real> compliance = Matrix6<Real>::Zero();
@@ -59,7 +61,7 @@ struct ArmLink {
   friend bool operator==(const ArmLink& a, const ArmLink& b) {
     return a.kind == b.kind && a.frame.matrix() == b.frame.matrix() && a.axis == b.axis &&
            a.joint_compliance == b.joint_compliance && a.mass == b.mass && a.centre == b.centre &&
-           a.compliance == b.compliance;
+           a.far_mass == b.far_mass && a.far_centre == b.far_centre && a.compliance == b.compliance;
   }
 };
 
@@ -95,8 +97,10 @@ void require_physical(const SerialArm<Real>& arm) {
     const std::string place = "link " + std::to_string(i + 1) + " of the arm";
     if (!(abs(link.axis.norm() - Real(1)) < Real(1) / Real(1000000)))
       throw Error(place, "an axis that is no unit vector", "length 1");
-    if (!(link.mass >= Real(0)) || !is_finite(link.mass))
+    if (!(link.mass >= Real(0) && link.far_mass >= Real(0)) || !is_finite(link.mass + link.far_mass))
       throw Error(place, "a mass that is negative or no number", "kg, zero or positive");
+    if (link.far_mass != Real(0) && link.compliance.diagonal().isZero(Real(0)))
+      throw Error(place, "a mass that moves with its far end, which does not yield", "all of it in its mass");
     if (!(link.joint_compliance >= Real(0)) || !is_finite(link.joint_compliance))
       throw Error(place, "a joint compliance that is negative or no number", "zero or positive");
     if (!(link.compliance.diagonal().minCoeff() >= Real(0)) ||

@@ -200,10 +200,10 @@ Experiment payload(Dice& dice) {
 Experiment loop(Dice& dice) {
   const double k = dice.between(50, 500), friction = dice.between(0.05, 0.2) * k * 0.05;
   Experiment experiment = lever(1, k, Bench::Plane::horizontal, {});
-  experiment.alone = Alone::turns;
+  experiment.device = Device::turning_joint;
   experiment.noise[Channel::Name::torque] = 0.05 * friction;
   Run run{"loop", Control::end_point, {0}, {}};
-  run.alone = Alone::turns;
+  run.device = Device::turning_joint;
   double last = 0, rub = 0;
   for (int i = 0; i <= 60; ++i) {
     const double q = 0.05 * std::sin(4 * std::numbers::pi * i / 60);
@@ -219,10 +219,10 @@ Experiment loop(Dice& dice) {
 Experiment flexure(Dice& dice) {
   const double k = dice.between(1, 4), own = (1 + dice.between(0.05, 0.3)) * k;
   Experiment experiment = lever(1, k, Bench::Plane::horizontal, {});
-  experiment.alone = Alone::turns;
+  experiment.device = Device::turning_joint;
   experiment.noise[Channel::Name::angle] = 5e-7;
   Run run{"weights", Control::force, {0}, {}};
-  run.alone = Alone::turns;
+  run.device = Device::turning_joint;
   run.by_weights = true;
   for (int i = 0; i <= 14; ++i) {
     const double torque = 3e-4 * k * (7 - std::abs(7 - i)) / 7;

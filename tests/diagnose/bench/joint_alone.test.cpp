@@ -67,7 +67,7 @@ bool is_told(const std::string& message, const std::string& words) {
 TEST_CASE("an imposed angle: the torque is measured") {
   const Experiment experiment = joint_from(turning_joint);
   const Run& run = experiment.runs.at(0);
-  CHECK(experiment.alone == Alone::turns);
+  CHECK(experiment.device == Device::turning_joint);
   CHECK(run.holds_end_point());
   CHECK(run.rest == std::vector{0.0});
   CHECK(run.imposed() == std::vector<Channel>{Channel(Channel::Name::angle)});
@@ -118,7 +118,7 @@ control = "displacement"
 samples = "loop.csv"
 )";
   const Experiment experiment = joint_from(slid);
-  CHECK(experiment.alone == Alone::slides);
+  CHECK(experiment.device == Device::sliding_joint);
   CHECK(experiment.joint_stiffness[0] == doctest::Approx(4000));
   CHECK(experiment.runs[0].rest[0] == doctest::Approx(0.001));
   CHECK(experiment.runs[0].imposed() == std::vector<Channel>{Channel(Channel::Name::x)});

@@ -81,7 +81,7 @@ TEST_CASE("a plan of an arm that measures nothing is refused") {
   settings.replace(settings.find("place = 3e-5"), 12, "");
   CHECK_THROWS_WITH_AS(
       planned(settings),
-      "noise: found no figure for anything that an arm's bench measures, expected a positive one for "
-      "place, turn, q or torque",
+      "noise: found no figure for anything that run \"poses\" measures, expected a positive one for "
+      "q, place, turn or torque",
       Error);
 }

@@ -67,7 +67,7 @@ constexpr double degree = 0.017453292519943295;
 TEST_CASE("a torque over an angle is a joint that is turned") {
   const Experiment experiment = drafted(nominal_model(torsion), {of_example("joint-loop/loop.csv")});
   REQUIRE(experiment.runs.size() == 1);
-  CHECK(experiment.alone == Alone::turns);
+  CHECK(experiment.device == Device::turning_joint);
   CHECK(experiment.runs[0].control == Control::end_point);  // the angle
   const Reading& third = experiment.runs[0].readings[2];
   CHECK(std::abs(third[column_x] - 0.5 * degree) < 1e-9);
@@ -87,7 +87,7 @@ TEST_CASE("an encoder at the motor is the command of the one at the link") {
 TEST_CASE("a force over a travel is a joint that slides") {
   const Experiment experiment = drafted(nominal_model("joint = \"prismatic\"\njoint_stiffness = [4000.0]\n"),
                                         {at_the_door("buffer.csv")});
-  CHECK(experiment.alone == Alone::slides);
+  CHECK(experiment.device == Device::sliding_joint);
   CHECK(experiment.runs[0].readings[2][column_x] == 0.001);
   CHECK(experiment.runs[0].readings[2][column_Fx] == 4.06);
 }

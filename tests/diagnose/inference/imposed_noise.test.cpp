@@ -23,14 +23,14 @@ constexpr double angle_noise = 1e-3;
 /// A joint alone led along a motion, of which a sensor reads the angle.
 Experiment led_joint(const std::function<double(double)>& motion, double noise, unsigned seed) {
   Experiment experiment;
-  experiment.alone = Alone::turns;
+  experiment.device = Device::turning_joint;
   experiment.link_length = {1};
   experiment.joint_stiffness = {7};
   experiment.link_mass = {0};
   experiment.noise[Channel::Name::angle] = angle_noise;
   experiment.noise[Channel::Name::torque] = 1e-3;
   Run run{"led", Control::end_point, {0.0}, {}};
-  run.alone = Alone::turns;
+  run.device = Device::turning_joint;
   std::mt19937 random(seed);
   std::normal_distribution<double> read(0, noise);
   for (int i = 0; i <= 60; ++i) {

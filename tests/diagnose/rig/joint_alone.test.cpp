@@ -26,7 +26,7 @@ constexpr double nearly = 1e-9;
 Experiment joint_alone(Control control, double stiffness, double most) {
   Experiment experiment;
   experiment.name = "a joint";
-  experiment.alone = Alone::turns;
+  experiment.device = Device::turning_joint;
   experiment.link_length = {1};
   experiment.joint_stiffness = {stiffness};
   experiment.link_mass = {0};
@@ -35,7 +35,7 @@ Experiment joint_alone(Control control, double stiffness, double most) {
   experiment.noise[Channel::Name::angle] = 1e-4;
   experiment.noise[Channel::Name::torque] = 1e-3;
   Run run{"loop", control, {0.05}, {}};
-  run.alone = Alone::turns;
+  run.device = Device::turning_joint;
   for (int i = 0; i <= 40; ++i) {
     const double at = most * std::sin(2 * M_PI * i / 40);
     const double there = control == Control::end_point ? 0.05 + at : at;
@@ -157,7 +157,7 @@ TEST_CASE("only effects of a joint and of its load sensor are possible") {
 
 TEST_CASE("at a joint that slides every unit of turning is one of sliding") {
   Experiment experiment = joint_alone(Control::end_point, 10, 0.004);
-  experiment.alone = experiment.runs[0].alone = Alone::slides;
+  experiment.device = experiment.runs[0].device = Device::sliding_joint;
   const Study study(experiment);
   for (const EffectAt& at : possible_effects(study))
     for (const ParameterRange& range : study.ranges(at)) {

@@ -35,7 +35,7 @@ TEST_CASE("a waiting rig stays in its regime") {
 
 TEST_CASE("a joint alone has nothing to lose its stability: it loads and unloads") {
   auto [run, trace] = along_x({0, 1, 2, 1, 0});
-  run.alone = Alone::turns;
+  run.device = Device::turning_joint;
   const auto forth = Regime::loading, back = Regime::unloading;
   CHECK(regimes(run, trace) == std::vector<Regime>{forth, forth, forth, back, back});
 }

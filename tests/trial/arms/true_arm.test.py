@@ -8,6 +8,7 @@ import pathlib
 import sys
 import tempfile
 import unittest
+from dataclasses import replace
 
 sys.path.insert(0, str(pathlib.Path(__file__).parents[3] / "trial" / "arms"))
 
@@ -98,6 +99,23 @@ class Statics(unittest.TestCase):
         expected = force / rigidity * (length**3 / 3 + length**2 * along + length * along**2)
         # the offsets of 54 and 60 mm across the arm add twist and turn: some per cent
         self.assertAlmostEqual(sinks(bent) - sinks(straight), expected, delta=0.05 * expected)
+
+    def test_a_bending_link_sags_by_its_own_weight(self):
+        """By W L^3/8EI, and its slope W L^2/6EI times what is beyond; a motor at its end adds a load there."""
+        link, rigidity, mass = 2, 1e7, 300.0
+        for motor in (0.0, 100.0):
+            reach = np.array(INDUSTRIAL.links[link + 1].place)
+            centre = tuple(reach * (mass / 2 + motor) / (mass + motor))
+            links = tuple(replace(one, mass=mass + motor if i == link else 1e-6, centre=centre if i == link else one.centre)
+                          for i, one in enumerate(INDUSTRIAL.links))
+            shape = replace(INDUSTRIAL, links=links)
+            places = [arm.tip_pose(arm.rest(np.zeros(6), np.zeros(3)))[0][2]
+                      for arm in (TrueArm(shape, Truth(shape.size, bending={link: rigidity})), TrueArm(shape, Truth(shape.size)))]
+            length = np.linalg.norm(reach)
+            beyond = sum(np.array(shape.links[i].place) for i in (4, 5)) + np.array(shape.tip)
+            expected = 9.81 / rigidity * (mass * (length**3 / 8 + length**2 / 6 * beyond[0]) + motor * (length**3 / 3 + length**2 / 2 * beyond[0]))
+            # eight pieces lack 1/(4 8^2) of the slope; the link lies 3 degrees off the horizontal
+            self.assertAlmostEqual(places[1] - places[0], expected, delta=0.01 * expected)
 
     def test_play_lies_where_the_load_pushes(self):
         shape = INDUSTRIAL

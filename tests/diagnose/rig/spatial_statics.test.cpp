@@ -1,4 +1,4 @@
-#include "diagnose/rig/arm_history.hpp"
+#include "diagnose/rig/spatial_statics.hpp"
 
 #include <plumbline/arm/arm_equilibrium.hpp>
 
