@@ -27,6 +27,17 @@ bool servos_lead(const Place& at) {
   return std::find(at.scales.moves.begin(), at.scales.moves.end(), true) != at.scales.moves.end();
 }
 
+/// Whether it shows how drives respond in time.
+bool follow_in_time(const Place& at) {
+  return at.scales.clock && at.scales.drives;
+}
+
+/// Whether it shows apart from a lag of what reads the load: that of a joint alone which is held follows its
+/// angle nearly in proportion.
+bool follow_by_a_lag(const Place& at) {
+  return follow_in_time(at) && (has_links(at) || !at.scales.measures_force);
+}
+
 Responder drives() {
   return {"command_delay", "a drive that follows its command",
           [](const Addition& to) { return std::vector{&to.rig.drive.response}; }};
@@ -71,11 +82,8 @@ std::vector<Effect> command_effects() {
        .add =
            [](const Addition& to) { to.rig.encoder[to.joint].ripple += Vector2(to.value[0], to.value[1]); },
        .possible = turns_and_moves},
-      delayed(
-          drives(), [](const Place& at) { return at.scales.clock && at.scales.drives; }, ""),
-      lagging(
-          drives(), [](const Place& at) { return at.scales.clock && at.scales.drives; },
-          "by a time constant"),
+      delayed(drives(), follow_in_time, ""),
+      lagging(drives(), follow_by_a_lag, "by a time constant"),
       {.id = "command_drift",
        .words = "a command of joint {} whose zero drifts over time",
        .at_joint = true,

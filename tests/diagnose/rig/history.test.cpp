@@ -115,10 +115,12 @@ TEST_CASE("an effect of amount zero is the nominal model, any other is not") {
   const Prediction nominal = predict(Study(experiment), {}, {});
   const auto possible = possible_effects(Study(experiment));
   // Nothing saturates where no force was read, nominal links weigh nothing, no servo moves a joint, and there
-  // are no tendons, no second sensor, no torques of drives, no axes and points in space.
+  // are no loads along the chain, no second sensor, no torques of drives, no axes and points in space.
   std::set<std::string> without;
   for (const Effect& row : catalogue()) without.insert(row.id);
   for (const EffectAt& at : possible) without.erase(at.effect->id);
+  for (const char* one : {"distance", "pixel", "inclination", "height", "applied"})
+    CHECK(std::erase_if(without, [&](const std::string& id) { return id.starts_with(one); }) >= 4);
   CHECK(without == std::set<std::string>{
                        "saturation",       "mass_scale",        "joint_scale",          "encoder_ripple",
                        "joint_compliance", "joint_balance",     "gravity_compensation", "moment_arm",
@@ -129,10 +131,9 @@ TEST_CASE("an effect of amount zero is the nominal model, any other is not") {
                        "torque_scale",     "axis_tilt",         "axis_shift",           "link_centre",
                        "mount_tilt",       "thermal_expansion", "tool_compliance",      "tool_play",
                        "tool_offset",      "tool_turn",         "slide_bending",        "upper_limit",
-                       "lower_limit",      "gear_coupling"});
+                       "lower_limit",      "gear_coupling",     "covariate_lag"});
   for (const EffectAt& at : possible) {
-    CAPTURE(at.effect->id);
-    CAPTURE(at.joint);
+    CAPTURE(at.name());
     const Prediction none = predict(Study(experiment), {{at}}, nothing(at));
     REQUIRE(none.reached);
     CHECK(largest_difference(none, nominal) < (at.effect == &effect("link_bending") ? 1e-4 : 1e-7));
@@ -145,8 +146,7 @@ TEST_CASE("an effect of amount zero is the nominal model, any other is not") {
 TEST_CASE("sensitivities are the derivatives of the prediction, history included") {
   const Experiment experiment = full_bench();
   for (const EffectAt& at : possible_effects(Study(experiment))) {
-    CAPTURE(at.effect->id);
-    CAPTURE(at.joint);
+    CAPTURE(at.name());
     const std::vector<double> value = sizeable(experiment, at);
     const std::vector<ParameterRange> ranges = Study(experiment).ranges(at);
     const Prediction predicted = predict(Study(experiment), {{at}}, value, true);

@@ -91,6 +91,8 @@ TEST_CASE("cross-talk acts on readings and on imposed forces") {
   const auto q = [](const Prediction& of) { return of.runs[0].rightCols(3); };
   CHECK(difference(q(predicted(experiment, only("cross_talk"), {0.05, -0.02})),
                    q(predicted(turned, {}, {}))) < 1e-9);
+  CHECK(offered(experiment, "cross_talk"));
+  for (Reading& one : experiment.runs[0].readings) one[column_Fy] = 0;  // as a misaligned rail's
   CHECK_FALSE(offered(experiment, "cross_talk"));
 }
 
