@@ -94,7 +94,7 @@ class SdfArm : public ArmDocument {
   Edit add_weight(const std::string& name, std::size_t link, double mass, const Vector3d& at) override {
     if (named(tree_.model, "link", name)) return {false, "a link " + name + " is there already"};
     const std::string child = text_in(joints_[link], "child");
-    const Body body{name, child, {0, 0}, mass, 0, 0, {}, moment_of_ball(mass)};
+    const Body body{name, child, {0, 0}, mass, {}, 0, {}, moment_of_ball(mass)};
     added_.push_back(sdf_link(body, tree_.pose(child).inverse() * was_[link] * at, child));
     added_.push_back(sdf_joint(body, Vector3d::UnitZ()));
     return {true, "as the link " + name};

@@ -98,7 +98,7 @@ class UrdfArm : public ArmDocument {
 
   Edit add_weight(const std::string& name, std::size_t link, double mass, const Vector3d& at) override {
     if (named(tree_.root(), "link", name)) return {false, "a link " + name + " is there already"};
-    Body body{name, link_of(joints_[link], "child"), {0, 0}, mass, 0, 0, {}, moment_of_ball(mass)};
+    Body body{name, link_of(joints_[link], "child"), {0, 0}, mass, {}, 0, {}, moment_of_ball(mass)};
     append(tree_.root(), urdf_link(body));
     append(tree_.root(), urdf_joint(body, at, Vector3d::UnitZ()));
     return {true, "as the link " + name};

@@ -154,7 +154,7 @@ class MjcfEditor {
   xml_node beyond() {
     if (beyond_) return beyond_;
     Xml body("body");
-    body.set("name", "beyond").add(mjcf_inertial(speck, 0));
+    body.set("name", "beyond").add(mjcf_inertial(speck));
     beyond_ = document_.append(element(end_body()), body);
     beyond_.append_move(end_site().element);
     return beyond_;
@@ -236,7 +236,7 @@ class MjcfEditor {
       const std::size_t carrier = one.link < n_ ? body(one.link) : end_body();
       Xml weight("body");
       weight.set("name", one.name).set("pos", numbers_of(point_in(carrier, one.place)));
-      document_.append(one.link < n_ ? element(carrier) : tip(), weight.add(mjcf_inertial(one.mass, 0)));
+      document_.append(one.link < n_ ? element(carrier) : tip(), weight.add(mjcf_inertial(one.mass)));
     }
   }
 

@@ -169,7 +169,7 @@ class SdfEditor {
     for (const EditedChain::Weight& one : weights.added) {
       const std::size_t j = std::min(one.link, n_ - 1);
       const std::string link = one.link < n_ ? text_in(joints_[j], "child") : tip();
-      add({one.name, link, {0, 0}, one.mass, 0, 0, {}}, link,
+      add({one.name, link, {0, 0}, one.mass, {}, 0, {}}, link,
           one.place + chain_.moves(j) + chain_.base_moves(), Vector3d::UnitZ());
     }
   }

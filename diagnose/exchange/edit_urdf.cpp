@@ -121,7 +121,7 @@ class UrdfEditor {
       const std::string link = link_of(joints_[one.link], "child");
       const Isometry3d& at = tree_.place(link);
       const Vector3d place = one.link < n_ ? one.place : Vector3d(at.translation());
-      add({one.name, link, {0, 0}, one.mass, 0, 0, {}}, link, at.inverse() * place, Vector3d::UnitZ());
+      add({one.name, link, {0, 0}, one.mass, {}, 0, {}}, link, at.inverse() * place, Vector3d::UnitZ());
     }
   }
 

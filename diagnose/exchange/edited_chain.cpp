@@ -25,6 +25,9 @@ EditedChain::EditedChain(const Model& model, ReadModel read, Format format, cons
   bare.experiment.laws.clear();
   before_ = carried_tree(bare, {}, means);
   effects_ = what_is_carried(model, format);
+  for (std::size_t e = bare.experiment.effects.size(); e < model.experiment.effects.size(); ++e)
+    if (model.experiment.effects[e].id == "link_centre")
+      effects_[e].carried = false, effects_[e].how = "links of this file keep their centres of mass";
   after_ = carried_tree(model, effects_, means);
   if (weighs_otherwise() && !(gravity() > 0)) {
     for (Carried& one : effects_)
@@ -144,11 +147,13 @@ std::optional<EditedChain::Weights> EditedChain::weights() const {
   const Vector3d down = (after_.gravity[0] * plane().x + after_.gravity[1] * plane().y) / strength,
                  normal = plane().normal();
   Weights all{read_.gravity.dot(normal) * normal + own * down, {}};
-  const std::vector<LinkOf> now = links_of(after_, size());
+  const std::vector<LinkOf> old = links_of(before_, size()), now = links_of(after_, size());
   for (std::size_t j = 0; j < size(); ++j) {
-    const double mass = now[j].mass * strength / own - own_mass(j);
-    if (mass > 1e-9 * (1 + own_mass(j)))
-      all.added.push_back({joint(j).name + "_weight", j, mass, joint(j).anchor + length_[j] / 2 * along_[j]});
+    const double all_of_it = now[j].mass * strength / own, mass = all_of_it - own_mass(j);
+    if (!(mass > 1e-9 * (1 + own_mass(j)))) continue;
+    const Eigen::Vector2d at = (all_of_it * now[j].centre - own_mass(j) * old[j].centre) / mass;
+    all.added.push_back(
+        {joint(j).name + "_weight", j, mass, joint(j).anchor + at.x() * along_[j] + at.y() * across(j)});
   }
   if (payload() != nullptr)
     all.added.push_back({"payload", size(), payload()->mass * strength / own,

@@ -137,9 +137,9 @@ Xml mjcf_joint(const Hinge& hinge) {
   return xml;
 }
 
-Xml mjcf_inertial(double mass, double middle) {
+Xml mjcf_inertial(double mass, Pair middle) {
   return std::move(Xml("inertial")
-                       .set("pos", numbers({middle, 0, 0}))
+                       .set("pos", numbers({middle[0], middle[1], 0}))
                        .set("mass", number(mass))
                        .set("diaginertia", "1e-09 1e-09 1e-09"));
 }
@@ -166,17 +166,17 @@ Xml mjcf_rail(const Drive& drive, Pair reference) {
                 .set("springref", number(drive.start[i]))
                 .set("damping", number(damping))
                 .set("armature", number(armature)));
-  led.add(mjcf_inertial(speck, 0));
+  led.add(mjcf_inertial(speck));
   cell.set("name", "cell");
   add_slides(cell, "cell", drive.lag > 0 ? Pair{0, 0} : shifts(drive), k, damping, armature);
-  cell.add(mjcf_inertial(speck, 0));
+  cell.add(mjcf_inertial(speck));
   led.add(std::move(cell));
   if (drive.lag > 0) {
     Xml late("body");
     late.set("name", "lag");
     add_slides(late, "lag", shifts(drive), 0, weak * k * drive.lag,
                weak * k * drive.lag * 1e-3 * response_time);
-    led.add(std::move(late.add(mjcf_inertial(speck, 0))));
+    led.add(std::move(late.add(mjcf_inertial(speck))));
   }
   return std::move(rail.add(std::move(led)));
 }
@@ -186,7 +186,7 @@ std::optional<Xml> mjcf_clock(const Drive& drive) {
   Xml body("body");
   body.set("name", "clock");
   body.add(slide("clock", "0 0 1").set("damping", "1").set("armature", "0.001"));
-  return std::move(body.add(mjcf_inertial(speck, 0)));
+  return std::move(body.add(mjcf_inertial(speck)));
 }
 
 std::vector<Xml> mjcf_drive(const Drive& drive, const std::string& tip, const std::vector<double>& grip) {

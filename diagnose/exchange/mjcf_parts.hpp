@@ -17,7 +17,7 @@ std::string rigid_impedance();
 
 Xml mjcf_joint(const Hinge& hinge);
 /// A point that weighs, or next to nothing.
-Xml mjcf_inertial(double mass, double middle);
+Xml mjcf_inertial(double mass, Pair middle = {0, 0});
 
 /// The sections of what couples joints and acts on them: tendons, equality constraints, actuators.
 std::vector<Xml> mjcf_couplings(const Tree& tree);

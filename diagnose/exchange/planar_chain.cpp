@@ -125,6 +125,12 @@ std::vector<diagnose::NominalEffect> friction_rows(const std::vector<ReadJoint>&
   return {{"friction_spread", 0, each}};
 }
 
+/// The centre of mass of a link as the catalogue has it, which adds it to the middle.
+/// \param off  from there, along the link and across
+diagnose::NominalEffect centre_row(std::size_t link, const Eigen::Vector2d& off, double length) {
+  return {"link_centre", link, {{"d_x", rounded(off.x(), length)}, {"d_y", rounded(off.y(), length)}}};
+}
+
 /// What the model has and a chain in the plane has not.
 std::vector<std::string> left_out_of(const ReadModel& model) {
   constexpr double once_around = 6.2;
@@ -138,16 +144,12 @@ std::vector<std::string> left_out_of(const ReadModel& model) {
   return out;
 }
 
-void add_notes(const ReadModel& model, const std::vector<ReadJoint>& joints, double moved,
-               PlanarChain& result) {
+void add_notes(const ReadModel& model, const std::vector<ReadJoint>& joints, PlanarChain& result) {
   const Eigen::Vector2d base = result.plane.of(result.plane.origin);
   const diagnose::NominalChain& chain = result.chain;
   if (base.norm() > rounding)
     result.notes.push_back(fmt::format("joint {} is at {:.6g}, {:.6g} of the model: here at the origin",
                                        joints.front().name, base.x(), base.y()));
-  if (moved > 0.01 && std::hypot(chain.gravity[0], chain.gravity[1]) > 0)
-    result.notes.push_back(fmt::format(
-        "centres of mass are up to {:.2g} of a link from its middle, where this chain has them", moved));
   result.notes.insert(result.notes.end(), model.notes.begin(), model.notes.end());
   const auto passive = std::count(chain.joint_stiffness.begin(), chain.joint_stiffness.end(), 0.0);
   if (passive > 0)
@@ -185,8 +187,11 @@ PlanarChain planar_chain(const ReadModel& model, const std::string& source,
     result.notes.push_back(fmt::format("held: {}", fmt::join(held, ", ")));
   result.end = named_end(model, series, joints.back());
   const Vector3d end = end_of(result.end, joints.back(), source, result.notes);
-  double before = 0, moved = 0;
+  const Eigen::Vector2d gravity = plane.of(model.gravity);
+  double before = 0;
   diagnose::NominalChain& chain = result.chain;
+  chain.gravity = {rounded(gravity.x(), 1), rounded(gravity.y(), 1)};
+  chain.effects = friction_rows(joints);
   for (std::size_t j = 0; j < joints.size(); ++j) {
     const ReadJoint& joint = joints[j];
     const Vector3d far = j + 1 < joints.size() ? joints[j + 1].anchor : end;
@@ -203,16 +208,15 @@ PlanarChain planar_chain(const ReadModel& model, const std::string& source,
     chain.rest.push_back(rounded(turned + sense * joint.rest, 1));
     result.joints.push_back({series.order()[j], sense, rounded(turned, 1)});
     before = direction;
-    const Eigen::Vector2d middle = plane.of(joint.middle - joint.anchor) - link / 2;
-    if (joint.mass > no_mass) moved = std::max(moved, middle.norm() / link.norm());
+    const Eigen::Vector2d off =
+        Eigen::Rotation2Dd(-direction) * (plane.of(joint.middle - joint.anchor) - link / 2);
+    if (joint.mass > no_mass && off.norm() > rounding * link.norm() && gravity.norm() > 0)
+      chain.effects.push_back(centre_row(j + 1, off, link.norm()));
     if (sense < 0)
       result.notes.emplace_back("joint " + joint.name + " turns the other way: its angles change sign");
   }
-  const Eigen::Vector2d gravity = plane.of(model.gravity);
-  chain.gravity = {rounded(gravity.x(), 1), rounded(gravity.y(), 1)};
-  chain.effects = friction_rows(joints);
   require_finite(chain, source);
-  add_notes(model, joints, moved, result);
+  add_notes(model, joints, result);
   return result;
 }
 

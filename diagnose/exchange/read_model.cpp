@@ -37,11 +37,12 @@ PlanarChain chain_in(ReadModel model, const std::string& file, const std::vector
   std::vector<diagnose::NominalEffect> in_place = std::exchange(read.chain.effects, model.rows.effects);
   read.chain.laws = model.rows.laws;
   take_off_springs(read.chain, file);
-  // Where a row has the dry friction, it has that of all joints.
-  if (!has_friction(read.chain, file))
-    read.chain.effects.insert(read.chain.effects.begin(), in_place.begin(), in_place.end());
   for (const diagnose::NominalEffect& one : read.chain.effects)
     read.notes.push_back("corrected by " + one.label());
+  // Where a row has the dry friction, it has that of all joints.
+  if (has_friction(read.chain, file))
+    std::erase_if(in_place, [](const auto& one) { return one.id != "link_centre"; });
+  read.chain.effects.insert(read.chain.effects.begin(), in_place.begin(), in_place.end());
   return read;
 }
 

@@ -8,7 +8,7 @@ Xml sdf_link(const Body& one, const Eigen::Vector3d& place, const std::string& r
   if (!relative_to.empty()) pose.set("relative_to", relative_to);
   xml.add(std::move(pose.content(numbers({place.x(), place.y(), place.z(), 0, 0, 0}))));
   const std::string turning = number(one.turning);
-  inertial.add("pose", numbers({one.middle, 0, 0, 0, 0, 0})).add("mass", number(one.mass));
+  inertial.add("pose", numbers({one.middle[0], one.middle[1], 0, 0, 0, 0})).add("mass", number(one.mass));
   inertia.add("ixx", turning).add("iyy", turning).add("izz", turning);
   xml.add(std::move(inertial.add(std::move(inertia))));
   if (one.length > 0) {

@@ -41,7 +41,7 @@ class Builder {
     tree_.end = {at_, 0};
     tree_.load = {at_, rig_.eccentricity};
     if (rig_.payload.norm() > 0)
-      tree_.bodies.push_back({"payload", here_, {at_, 0}, rig_.payload.norm() / gravity_, 0, 0, {}});
+      tree_.bodies.push_back({"payload", here_, {at_, 0}, rig_.payload.norm() / gravity_, {}, 0, {}});
     couple();
     if (means_.tendons)
       for (std::size_t l = 0; l < rig_.laws.size(); ++l) follow_law(rig_.laws[l], l);
@@ -88,7 +88,7 @@ class Builder {
   }
 
   void add(const std::string& name, Pair place, std::optional<Hinge> joint) {
-    tree_.bodies.push_back({name, here_, place, speck, 0, 0, std::move(joint)});
+    tree_.bodies.push_back({name, here_, place, speck, {}, 0, std::move(joint)});
     // Of the size of a joint's, that of what is stiffer too, for it is turned by all joints before it.
     if (const auto& own = tree_.bodies.back().joint; own && own->along == 'z')
       tree_.bodies.back().turning = std::min(own->armature, typical_ * response_time * response_time);
@@ -121,14 +121,14 @@ class Builder {
     if (rig_.flexibility > 0) {
       beam(j);
     } else {
-      weight(j, length / 2);
+      weight(j, {length / 2 + rig_.centre[j].x(), rig_.centre[j].y()});
       here().length = length;
       at_ = length;
     }
     if (rig_.axial > 0) slide(fmt::format("stretch{}", j + 1), 'x', 1 / (rig_.axial * length));
   }
 
-  void weight(std::size_t j, double middle) {
+  void weight(std::size_t j, Pair middle) {
     if (!(mass_[j] > 0)) return;
     here().mass = mass_[j];
     here().middle = middle;
@@ -143,7 +143,7 @@ class Builder {
       const std::string name = fmt::format("bend{}_{}", j + 1, g + 1);
       add(name + "_part", {(gauss_place[g] - behind) * length, 0},
           hinge(name, 1 / (rig_.flexibility * gauss_weight[g] * length)));
-      if (g == 1) weight(j, 0);
+      if (g == 1) weight(j, pair(rig_.centre[j]));
       turning_.push_back(name);
       behind = gauss_place[g];
     }
@@ -198,7 +198,7 @@ class Builder {
     holds(second);
     // Dry friction that sticks creeps the faster the lighter what it holds; where it slips, damping drags.
     if (second.friction > 0) second.armature *= slow * slow, second.damping /= slow;
-    tree_.bodies.push_back({name + "_arm", parent, place, speck, 0, 0, std::move(second)});
+    tree_.bodies.push_back({name + "_arm", parent, place, speck, {}, 0, std::move(second)});
     Tendon& spring = tendon(name, beside, stiffness, 0);
     spring.joints.emplace_back(name, -1);
   }
@@ -249,7 +249,7 @@ class Builder {
     Hinge own{name};
     own.along = 'x';
     own.armature = typical_ * response_time * response_time;
-    tree_.bodies.push_back({name + "_slide", parent_[j], {0, 0}, speck, 0, 0, own});
+    tree_.bodies.push_back({name + "_slide", parent_[j], {0, 0}, speck, {}, 0, own});
     tree_.followers.push_back({name, fmt::format("q{}", j + 1), power, rest_[j], force});
   }
 

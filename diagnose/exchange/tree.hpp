@@ -28,10 +28,11 @@ struct Hinge {
 
 /// Moves by its joint against the body that carries it.
 struct Body {
-  std::string name, parent;     ///< of the world: no parent
-  Pair place{0, 0};             ///< in the frame of the parent
-  double mass = 0, middle = 0;  ///< centre of mass, along x
-  double length = 0;            ///< to be drawn; 0 where it is a point
+  std::string name, parent;  ///< of the world: no parent
+  Pair place{0, 0};          ///< in the frame of the parent
+  double mass = 0;
+  Pair middle{0, 0};  ///< centre of mass
+  double length = 0;  ///< to be drawn; 0 where it is a point
   std::optional<Hinge> joint = {};
   double turning = 1e-6;  ///< moment of inertia, kg m², in formats whose joints have no armature
 };

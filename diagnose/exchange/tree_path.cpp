@@ -31,7 +31,11 @@ std::vector<LinkOf> links_of(const Tree& tree, std::size_t count) {
   for (const Body* body : path_of(tree)) {
     if (next > 0) links[next - 1].length += body->place[0];
     if (next < count && body->joint && body->joint->name == chain_name(next)) ++next;
-    if (next > 0 && body->mass > 2 * speck) links[next - 1].mass += body->mass;
+    if (next == 0 || !(body->mass > 2 * speck)) continue;
+    LinkOf& link = links[next - 1];
+    const Eigen::Vector2d place(link.length + body->middle[0], body->middle[1]);
+    link.centre = (link.mass * link.centre + body->mass * place) / (link.mass + body->mass);
+    link.mass += body->mass;
   }
   links.back().length += tree.end[0];
   return links;

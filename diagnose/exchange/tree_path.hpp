@@ -21,6 +21,7 @@ std::string chain_name(std::size_t j);
 /// What of a tree belongs to a link of the chain.
 struct LinkOf {
   double length = 0, mass = 0;
+  Eigen::Vector2d centre{0, 0};  ///< of the mass, along the link and across
 };
 std::vector<LinkOf> links_of(const Tree& tree, std::size_t count);
 

@@ -9,7 +9,7 @@ namespace {
 
 /// A link at the end point. sdformat merges what is fixed, unless it is told not to.
 void add_end(const Tree& tree, Xml& root) {
-  Body end{"end", tree.tip, tree.end, tree.bodies.front().mass, 0, 0, {}};
+  Body end{"end", tree.tip, tree.end, tree.bodies.front().mass, {}, 0, {}};
   Xml keep("gazebo");
   const std::string preserve = "preserveFixedJoint";
   keep.set("reference", "end_fixed").add(preserve, "true");

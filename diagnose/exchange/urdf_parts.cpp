@@ -2,9 +2,9 @@
 
 namespace plumbline::exchange {
 
-Xml urdf_inertial(double mass, double middle, double turning) {
+Xml urdf_inertial(double mass, Pair middle, double turning) {
   Xml inertial("inertial"), inertia("inertia");
-  inertial.add(Xml("origin").set("xyz", numbers({middle, 0, 0})));
+  inertial.add(Xml("origin").set("xyz", numbers({middle[0], middle[1], 0})));
   inertial.add(Xml("mass").set("value", number(mass)));
   for (const char* own : {"ixx", "iyy", "izz"}) inertia.set(own, number(turning));
   for (const char* shared : {"ixy", "ixz", "iyz"}) inertia.set(shared, "0");

@@ -10,7 +10,7 @@
 namespace plumbline::exchange {
 
 /// \param turning  moment of inertia
-Xml urdf_inertial(double mass, double middle, double turning);
+Xml urdf_inertial(double mass, Pair middle, double turning);
 Xml urdf_link(const Body& one);
 /// How the link hangs on its parent, in the frame of that.
 Xml urdf_joint(const Body& one);

@@ -14,6 +14,7 @@ constexpr Way rest_shape{true,
 constexpr Way body_places{true, "as the places of the bodies", true};
 constexpr Way masses{true, "as masses and gravity", true, true};
 constexpr Way scaled_masses{true, "as masses and gravity", true};
+constexpr Way centres{true, "as the centres of mass of the bodies", true};
 constexpr Way payload{true, "as masses and gravity", false, true};
 constexpr Way base_slides{true, "as slides on springs under the base"};
 constexpr Way base_slide{true, "as a slide on a spring under the base, which answers the same"};
@@ -53,7 +54,6 @@ constexpr Way no_pulley{false, "of the pulley, not of the chain"};
 constexpr Way no_tendon{false, "of the tendons or pressures that load the chain, not of the chain"};
 constexpr Way no_set{false, "rest angles of this format do not move"};
 constexpr Way no_servo{false, "of the servos, not of the chain"};
-constexpr Way no_centre{false, "links of this file keep their centres of mass"};
 constexpr Way no_counterweight{false, "this format has no torque that goes with the cosine of an angle"};
 constexpr Way no_joint_sensor{false, "of the sensors of the joints, not of the chain"};
 constexpr Way no_coupling{false, "joints of this format are not coupled"};
@@ -121,7 +121,7 @@ std::map<Row, Ways> table_of_ways() {
       {"second_zero", no_second_sensor},
       {"second_gain", no_second_sensor},
       {"link_mass", masses},
-      {"link_centre", no_centre},
+      {"link_centre", centres},
       {"joint_scale", no_servo},
       {"gear_coupling", no_servo},
       {"gravity_compensation", no_servo},

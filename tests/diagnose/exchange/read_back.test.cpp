@@ -69,4 +69,31 @@ TEST_CASE("a robot's own MJCF with a correction in it is read again as it was wr
   check_every_row(lab.experiment, lab.folder / "robot.xml", formats[0]);
 }
 
+TEST_CASE("centres of mass off the middle of their links are read, written and read again in each format") {
+  Experiment bench = diagnose::test::full_bench();
+  bench.link_mass = {0.2, 0.1, 0.3};
+  bench.gravity = {0, -9.81};
+  bench.effects = {{"link_centre", 1, {{"d_x", 0.03}, {"d_y", -0.01}}},
+                   {"link_centre", 3, {{"d_x", -0.05}, {"d_y", 0.02}}}};
+  const Folder folder;
+  for (const Format_& one : formats) {
+    CAPTURE(one.file);
+    const Written first = written({"own", bench, bench.runs.front().rest}, one.format);
+    for (const Carried& effect : first.effects) CHECK(effect.carried);
+    folder.write(one.file, first.text);
+    Experiment read = bench;
+    static_cast<diagnose::NominalChain&>(read) = read_model(folder / one.file).chain;
+    REQUIRE(read.effects.size() == 2);
+    for (std::size_t e = 0; e < 2; ++e) {
+      CHECK(read.effects[e].label() == bench.effects[e].label());
+      // the speck that a format demands of its end point hangs from the last link, a link from its middle at
+      // most
+      const std::size_t link = bench.effects[e].joint - 1;
+      const double slack = 1e-5 / bench.link_mass[link] * bench.link_length[link];
+      for (const auto& [name, value] : bench.effects[e].parameters)
+        CHECK(std::abs(read.effects[e].parameters.at(name) - value) < slack);
+    }
+  }
+}
+
 }  // namespace plumbline::exchange

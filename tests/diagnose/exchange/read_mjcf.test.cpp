@@ -224,7 +224,9 @@ TEST_CASE("a servo arm of today is read, and what statics has no use for is said
   CHECK(read.chain.gravity == std::array<double, 2>{0, -9.81});
   CHECK(notes(read, "spring of 50 N m/rad about its command"));
   CHECK(notes(read, "held: joint 3"));
-  CHECK(read.chain.effects == std::vector<diagnose::NominalEffect>{{"joint_friction", 0, {{"tau_c", 0.1}}}});
+  CHECK(read.chain.effects ==
+        std::vector<diagnose::NominalEffect>{{"joint_friction", 0, {{"tau_c", 0.1}}},
+                                             {"link_centre", 2, {{"d_x", 0.01}, {"d_y", 0}}}});
   for (const char* left :
        {"friction of elbow", "range of elbow", "pid e", "50 % of the weight of lower, which gravcomp"})
     CHECK_MESSAGE(notes(read, left), left);

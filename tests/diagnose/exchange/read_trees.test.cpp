@@ -119,6 +119,19 @@ TEST_CASE("SDF: poses by any frame, in degrees or as quaternions, axes in any fr
       knee + "</axis></joint>" + tail));
 }
 
+TEST_CASE("centres of mass are nominal where they lie off the middle, along a link or across it") {
+  // the lower link hangs: across it, counter-clockwise, is forward, along the z of its turned frame
+  const PlanarChain arm = chain_of_sdf(R"(<sdf version="1.9"><world name="w"><model name="arm">
+<link name="upper"><inertial><pose>0.25 0 0 0 0 0</pose><mass>2</mass></inertial></link>
+<link name="lower"><pose>0.4 0 0 0 1.5707963267948966 0</pose><inertial><pose>0.15 0 0.02 0 0 0</pose><mass>1</mass></inertial></link>
+<joint name="hip" type="revolute"><parent>world</parent><child>upper</child><axis><xyz>0 -1 0</xyz></axis></joint>
+<joint name="knee" type="revolute"><parent>upper</parent><child>lower</child><axis><xyz>0 -1 0</xyz></axis></joint>
+<frame name="tip" attached_to="lower"><pose>0.3 0 0 0 0 0</pose></frame></model></world></sdf>)");
+  CHECK(arm.chain.effects ==
+        std::vector<diagnose::NominalEffect>{{"link_centre", 1, {{"d_x", 0.05}, {"d_y", 0}}},
+                                             {"link_centre", 2, {{"d_x", 0}, {"d_y", 0.02}}}});
+}
+
 TEST_CASE("SDF until 1.4 has axes in the frame of the model; a model that lies has gravity along it") {
   const auto arm = [](const std::string& version) {
     return R"(<sdf version=")" + version +

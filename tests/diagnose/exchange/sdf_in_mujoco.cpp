@@ -132,7 +132,7 @@ class Translation {
       second.set("name", name).set("limited", "true").set("range", range);
       second.set("springref", number(axis.SpringReference()));  // where the spring between the two is at ease
       second.set("damping", number(2 * axis.Stiffness() * response_time));
-      to.add(std::move(arm.add(mjcf_inertial(speck, 0)).add(std::move(second))));
+      to.add(std::move(arm.add(mjcf_inertial(speck)).add(std::move(second))));
       spring.set("name", name).set("stiffness", number(axis.Stiffness()));
       spring.add(Xml("joint").set("joint", joint.Name()).set("coef", "1"));
       spring.add(Xml("joint").set("joint", name).set("coef", "-1"));

@@ -22,7 +22,7 @@ std::string with_end_kept(const std::string& urdf) {
     set_child(keep, "preserveFixedJoint", "true");
     pugi::xml_node end = named(root, "link", link);
     if (!end || end.child("inertial")) continue;
-    append(end, urdf_inertial(speck, 0, 1e-6));
+    append(end, urdf_inertial(speck, {0, 0}, 1e-6));
   }
   std::ostringstream text;
   document.save(text);
