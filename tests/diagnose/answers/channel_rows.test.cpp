@@ -1,107 +1,12 @@
-/// Errors of what is imposed and of what reads it, each planted in a bench that is written as a user writes
-/// it: a table whose measured columns are what the bench would read with the error, with noise.
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <random>
-
-#include "diagnose/answers/diagnosis.hpp"
-#include "diagnose/bench/read_experiment.hpp"
+/// Errors of what is imposed and of what reads it, each planted in a bench of its own.
 #include "tests/diagnose/bench.hpp"
-#include "tests/folder.hpp"
+#include "tests/diagnose/written_bench.hpp"
 
 using namespace plumbline;
 using namespace plumbline::diagnose;
 using namespace plumbline::diagnose::test;
 
 namespace {
-
-using Told = std::function<double(double t)>;
-
-/// What is imposed, by time; or, of no word for that, what a channel of this label reads.
-struct Column {
-  std::string name;
-  Told told;
-  std::string reads = {};
-};
-
-struct WrittenBench {
-  std::string settings;
-  std::vector<Column> columns;
-};
-
-Study study_of(const WrittenBench& bench, const std::string& table) {
-  const Folder folder;
-  folder.write("experiment.toml", bench.settings);
-  folder.write("t.csv", table);
-  return Study(read_experiment(folder.path()));
-}
-
-/// A reading every 0.4 s, not quite evenly.
-std::string table_of(const WrittenBench& bench,
-                     const std::function<double(const std::string& label, int row)>& read) {
-  std::string text = "t";
-  for (const Column& column : bench.columns) text += "," + column.name;
-  for (int i = 0; i < 48; ++i) {
-    const double t = 0.4 * i + 0.05 * (i % 3);
-    text += fmt::format("\n{:.9g}", t);
-    for (const Column& column : bench.columns)
-      text += fmt::format(",{:.9g}", column.told ? column.told(t) : read(column.reads, i));
-  }
-  return text + "\n";
-}
-
-/// The same without angles, where they would be held against a place that stands beside them.
-WrittenBench without_angles(WrittenBench bench) {
-  const auto named_x = [](const Column& one) { return one.name == "x"; };
-  if (std::any_of(bench.columns.begin(), bench.columns.end(), named_x))
-    std::erase_if(bench.columns, [](const Column& one) { return one.reads.starts_with("q"); });
-  return bench;
-}
-
-/// What the bench reads with this cause.
-Study planted(const WrittenBench& bench, const Candidate& cause, const std::vector<double>& values) {
-  const WrittenBench few = without_angles(bench);
-  const Study bare = study_of(few, table_of(few, [](const std::string&, int row) { return 0.01 * row; }));
-  const Prediction truth = predict(bare, cause, values);
-  REQUIRE(truth.reached);
-  std::vector<Channel> channels = bare.experiment().runs[0].measured();
-  for (std::size_t j = 0; j < bare.experiment().link_length.size(); ++j)
-    channels.emplace_back(Channel::Name::q, j);
-  std::mt19937 engine(11);
-  std::normal_distribution<double> normal;
-  return study_of(
-      bench, table_of(bench, [&](const std::string& label, int row) {
-        const auto channel = std::find_if(channels.begin(), channels.end(),
-                                          [&](const Channel& one) { return one.label() == label; });
-        REQUIRE(channel != channels.end());
-        return truth.runs[0](row, channel->column) + channel->sigma(bare.experiment().noise) * normal(engine);
-      }));
-}
-
-void check_named(const WrittenBench& bench, const Candidate& cause, const std::vector<double>& values) {
-  CAPTURE(cause.name());
-  const Diagnosis found = diagnose::diagnose(planted(bench, cause, values));
-  REQUIRE(!found.cause.ranking.empty());
-  CAPTURE(found.cause.ranking[0].cause.label());
-  CHECK(found.cause.named == 1);
-  CHECK(found.cause.ranking[0].cause.is_form_of(cause));
-}
-
-/// The form of a row that is told by a delay, or by a time constant where that is not the first.
-EffectAt other(const char* id) {
-  for (const Effect& row : catalogue())
-    if (row.id == id && row.form.starts_with("by a ")) return row;
-  FAIL("one form");
-  return id;
-}
-
-Told sine(double middle, double size, double rate, double phase = 0) {
-  return [=](double t) { return middle + size * std::sin(rate * t + phase); };
-}
 
 /// An arm whose axes are not parallel, and what it is told.
 const char* const arm = R"(format = "chain-experiment/1"
@@ -140,7 +45,7 @@ id = "sweep"
 samples = "t.csv"
 )";
 
-std::vector<Column> commands() {
+std::vector<TableColumn> commands() {
   return {{"q_command1", sine(0, 0.9, 0.43)},
           {"q_command2", sine(-0.4, 0.5, 0.61, 1)},
           {"q_command3", sine(0.7, 0.6, 0.37, 2)},
@@ -148,14 +53,14 @@ std::vector<Column> commands() {
 }
 
 /// The arm, with these columns read.
-WrittenBench arm_that_reads(const std::string& settings, const std::vector<Column>& read) {
+WrittenBench arm_that_reads(const std::string& settings, const std::vector<TableColumn>& read) {
   WrittenBench bench{arm + settings, commands()};
   bench.columns.insert(bench.columns.end(), read.begin(), read.end());
   return bench;
 }
 
-std::vector<Column> read_at_joints(const std::string& stem) {
-  std::vector<Column> all;
+std::vector<TableColumn> read_at_joints(const std::string& stem) {
+  std::vector<TableColumn> all;
   for (int j = 1; j <= 4; ++j) all.push_back({stem + std::to_string(j), {}, stem + std::to_string(j)});
   return all;
 }
@@ -202,7 +107,7 @@ height = 5e-5
 WrittenBench arm_with_torques() {
   WrittenBench bench = tracked_arm();
   bench.settings += "torque = 0.02\n";
-  for (const Column& one : read_at_joints("torque")) bench.columns.push_back(one);
+  for (const TableColumn& one : read_at_joints("torque")) bench.columns.push_back(one);
   return bench;
 }
 
@@ -311,7 +216,7 @@ extensor = "extensor"
 
 TEST_CASE("a tracker of an arm in space is late, drifts, has axes that are not square" *
           doctest::test_suite("long")) {
-  check_named(tracked_arm(), {{other("place_lag")}}, {0.1});
+  check_named(tracked_arm(), {{other_form("place_lag")}}, {0.1});
   check_named(tracked_arm(), {{"place_drift"}}, {1e-4, -5e-5, 5e-5});
   check_named(tracked_arm(), {{"camera_skew"}}, {0.004, -0.003, 0.005});
 }
@@ -325,7 +230,7 @@ TEST_CASE("sensors of an arm: zero, scale, drift, cross-talk and lag" * doctest:
   check_named(arm_with_gauges(), only("distance_lag"), {0.15});
   check_named(arm_with_gauges(), only("pixel_bias"), {4, -3});
   check_named(arm_with_gauges(), only("pixel_drift"), {0.2, 0.1});
-  check_named(arm_with_gauges(), {{other("pixel_lag")}}, {0.1});
+  check_named(arm_with_gauges(), {{other_form("pixel_lag")}}, {0.1});
   check_named(arm_with_gauges(), only("inclination_bias"), {0.004, -0.002});
   check_named(arm_with_gauges(), only("inclination_cross_talk"), {0.01, -0.01});
   check_named(arm_with_gauges(), only("height_scale"), {0.004});
@@ -336,20 +241,20 @@ TEST_CASE("torques of drives: zero, scale, drift and delay" * doctest::test_suit
   check_named(arm_with_torques(), {{{"torque_bias", 2}}}, {0.2});
   check_named(arm_with_torques(), {{{"torque_scale", 3}}}, {0.1});
   check_named(arm_with_torques(), {{{"torque_drift", 2}}}, {0.02});
-  check_named(arm_with_torques(), {{other("torque_lag")}}, {0.2});
+  check_named(arm_with_torques(), {{other_form("torque_lag")}}, {0.2});
 }
 
 TEST_CASE("tilts: zero, scale, drift and delay" * doctest::test_suite("long")) {
   check_named(chain_with_levels(), {{{"tilt_bias", 2}}}, {0.01});
   check_named(chain_with_levels(), {{{"tilt_scale", 1}}}, {0.02});
   check_named(chain_with_levels(), {{{"tilt_drift", 2}}}, {5e-4});
-  check_named(chain_with_levels(), {{other("tilt_lag")}}, {0.1});
+  check_named(chain_with_levels(), {{other_form("tilt_lag")}}, {0.1});
 }
 
 TEST_CASE("a drive that holds an end: its scale, its lag, by a time constant or a delay" *
           doctest::test_suite("long")) {
   check_named(held_chain(), only("command_scale"), {0.03});
-  check_named(held_chain(), {{other("command_delay")}}, {0.15});
+  check_named(held_chain(), {{other_form("command_delay")}}, {0.15});
   check_named(held_chain(), only("command_delay"), {0.15});
 }
 
@@ -361,7 +266,7 @@ TEST_CASE("tendons: zeros, scales, drift and delay of their tensions" * doctest:
   check_named(finger_with_tendons(), only("applied_bias"), {0.05, -0.03});
   check_named(finger_with_tendons(), only("applied_scale"), {0.08, 0});
   check_named(finger_with_tendons(), only("applied_drift"), {0.05, 0.02});
-  check_named(finger_with_tendons(), {{other("applied_lag")}}, {0.15});
+  check_named(finger_with_tendons(), {{other_form("applied_lag")}}, {0.15});
 }
 
 TEST_CASE("a thermometer that is late on an arm that grows" * doctest::test_suite("long")) {
