@@ -2,6 +2,8 @@
 /// Written and edited SDF and URDF, as sdformat reads them, at work in MuJoCo.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "diagnose/exchange/edit_sdf.hpp"
 #include "diagnose/exchange/edit_urdf.hpp"
 #include "diagnose/exchange/read_model.hpp"
@@ -214,7 +216,10 @@ TEST_CASE("an edited SDF or URDF is read again as the corrected chain; what is n
     CHECK(chain.chain.link_length[1] == close_to(0.25 + moved));
     CHECK(chain.chain.link_length[2] == close_to(0.15));
     CHECK(chain.chain.joint_stiffness[1] == close_to(1.5 * 1.2));
-    CHECK(chain.chain.rest[1] == close_to(-0.45));
+    // rest angles have no word of their own: the file has the row beside the spring that acts it out
+    CHECK(chain.chain.rest[1] == close_to(-0.5));
+    CHECK(std::count(chain.chain.effects.begin(), chain.chain.effects.end(),
+                     diagnose::NominalEffect{"rest_angle", 2, {{"a", 0.05}}}) == 1);
     CHECK(chain.chain.rest[2] == close_to(0.4));
     CHECK(chain.plane.origin.x() == close_to(-0.01));
     CHECK(chain.plane.origin.y() == close_to(-0.02));
