@@ -33,7 +33,7 @@ struct WrittenBench {
   std::vector<TableColumn> columns;
 };
 
-inline Experiment read_back(const WrittenBench& bench, const std::string& table) {
+inline Experiment read_as_written(const WrittenBench& bench, const std::string& table) {
   const Folder folder;
   folder.write("experiment.toml", bench.settings);
   folder.write("t.csv", table);
@@ -62,7 +62,7 @@ inline Experiment unread(const WrittenBench& bench) {
   // Angles would be held against a place that stands beside them.
   if (std::ranges::any_of(bench.columns, named_x)) std::erase_if(few.columns, reads_angle);
   Experiment experiment =
-      read_back(few, table_of(few, [](const std::string&, int row) { return 0.01 * row; }));
+      read_as_written(few, table_of(few, [](const std::string&, int row) { return 0.01 * row; }));
   if (std::ranges::any_of(bench.columns, reads_angle))
     for (Reading& reading : experiment.runs[0].readings)
       for (std::size_t j = 0; j < experiment.link_length.size(); ++j)
@@ -83,7 +83,7 @@ inline Study planted(const WrittenBench& bench, const Candidate& cause, const st
     REQUIRE(channel != channels.end());
     return truth.runs[0](row, channel->column) + channel->sigma(bare.experiment().noise) * normal(engine);
   };
-  return Study(read_back(bench, table_of(bench, read)));
+  return Study(read_as_written(bench, table_of(bench, read)));
 }
 
 /// Checks that the cause is named alone. \returns what else is said of it
