@@ -66,7 +66,8 @@ def copied(target):
 
 
 def linked(path, words, target):
-    """A link as Doxygen has it; of a folder, which no site shows, the words."""
+    """A link as Doxygen has it, on one line, for it loses what follows one that is broken; of a folder, which no site shows, the words."""
+    words = re.sub(r"\s+", " ", words)
     name, _, anchor = target.partition("#")
     if "://" in name:
         return f'<a href="{target}">{words}</a>'

@@ -79,10 +79,9 @@ WrittenBench servo_arm(bool in_space) {
                       {"q_command2", sine(0.5, 0.6, 0.61, 1)},
                       {"q1", {}, "q1"},
                       {"q2", {}, "q2"}}};
-  const std::vector<TableColumn> end =
-      in_space ? std::vector<TableColumn>{{"tip_x", {}, "x1"}, {"tip_y", {}, "y1"}, {"tip_z", {}, "z1"}}
-               : std::vector<TableColumn>{{"x", {}, "x"}, {"y", {}, "y"}};
-  bench.columns.insert(bench.columns.end(), end.begin(), end.end());
+  const std::string tip = in_space ? "tip_" : "", point = in_space ? "1" : "";
+  for (const std::string axis : {"x", "y", "z"})
+    if (in_space || axis != "z") bench.columns.push_back({tip + axis, {}, axis + point});
   return bench;
 }
 
