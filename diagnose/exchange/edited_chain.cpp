@@ -6,7 +6,6 @@
 
 #include "diagnose/exchange/carried.hpp"
 #include "diagnose/exchange/tree_path.hpp"
-
 #include "diagnose/exchange/ways.hpp"
 
 namespace plumbline::exchange {
@@ -23,7 +22,7 @@ EditedChain::EditedChain(const Model& model, ReadModel read, Format format, cons
   Model bare = model;
   bare.experiment.effects = chain_.chain.effects;
   bare.experiment.laws.clear();
-  before_ = carried_tree(bare, {}, means);
+  before_ = carried_tree(bare, what_is_carried(bare, format), means);
   effects_ = what_is_carried(model, format);
   for (std::size_t e = bare.experiment.effects.size(); e < model.experiment.effects.size(); ++e)
     if (model.experiment.effects[e].id == "link_centre")

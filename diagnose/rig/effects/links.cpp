@@ -70,7 +70,8 @@ std::vector<Effect> link_effects() {
            },
        .possible =
            [](const Place& at) {
-             return has_links(at) && weight_shows(at) && at.scales.link_mass[at.joint] > 0;
+             return has_links(at) && at.scales.nominal_weight && loads_show(at) &&
+                    at.scales.link_mass[at.joint] > 0;
            }},
       {.id = "mass_scale",
        .words = "all masses wrong by one factor",

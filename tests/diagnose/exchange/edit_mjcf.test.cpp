@@ -43,8 +43,8 @@ TEST_CASE("a robot's own file is edited: every effect that MJCF carries does in 
     const Written file = edit_mjcf(model);
     REQUIRE(file.effects.size() == 1);
     if (!file.effects.front().carried) {
-      // A payload alone cannot weigh while the robot's own links do not.
-      CHECK(at.effect->id == "tip_payload");
+      // A payload or one mass alone cannot weigh while the robot's own links do not.
+      CHECK(adds_weight(at.effect->id));
       continue;
     }
     // In noise of size one. On the way the robot's own damping drags, with and without the effect, and that
@@ -106,6 +106,29 @@ TEST_CASE("what the cause does not ask for stays as it is") {
   }
   const Compiled now = compiled(lab, several);
   CHECK(now->body_pos[3 * mj_name2id(now.get(), mjOBJ_BODY, "foot")] == close_to(0.275));
+}
+
+TEST_CASE(
+    "a file with dry friction and a centre of mass of its own keeps them where something else is corrected") {
+  const Folder folder;
+  folder.write("arm.xml", R"(<mujoco><compiler angle="radian"/><worldbody>
+<body name="l1"><joint name="j1" axis="0 -1 0" frictionloss="0.05"/>
+<inertial pos="0.18 0 0" mass="1.2" diaginertia="1e-3 1e-3 1e-3"/>
+<body name="l2" pos="0.3 0 0"><joint name="j2" axis="0 -1 0"/>
+<inertial pos="0.125 0 0" mass="0.8" diaginertia="1e-3 1e-3 1e-3"/>
+<site name="tool" pos="0.25 0 0"/></body></body></worldbody><actuator><position joint="j1" kp="60"/>
+<position joint="j2" kp="25"/></actuator></mujoco>)");
+  Model model{"arm", {}, {0, 0}, folder / "arm.xml"};
+  static_cast<diagnose::NominalChain&>(model.experiment) = read_model(model.source).chain;
+  const std::vector<diagnose::NominalEffect> own = model.experiment.effects;
+  REQUIRE(own.size() == 2);
+  model.experiment.effects.push_back({"joint_stiffness", 2, {{"a", 0.2}}});
+  const Written file = written(model, Format::mjcf);
+  CHECK(file.note.find("a chain of its own") == std::string::npos);
+  folder.write("edited.xml", file.text);
+  const diagnose::NominalChain again = read_model(folder / "edited.xml").chain;
+  CHECK(again.effects == own);
+  CHECK(again.joint_stiffness[1] == close_to(30));
 }
 
 TEST_CASE("a file that cannot be edited gives a chain of its own, which says why") {

@@ -68,7 +68,6 @@ TEST_CASE("round trips: every effect that MJCF carries" * doctest::test_suite("l
     // Alone it cannot weigh while the robot's own links do not.
     if (at.effect->id == "tip_payload") continue;
     // Its fit ends in a local optimum on this bench (docs/how-it-decides.md lists what fails).
-    // Its fit ends in a local optimum on this bench (docs/how-it-decides.md lists what fails).
     if (at.effect->id == "hysteresis") continue;
     CAPTURE(at.label());
     const Lab& own = at.effect->id == "sensor_lag" ? fine : lab;
