@@ -119,6 +119,7 @@ class Calibrator {
   }
 
   Study collected() {
+    Experiment calibrated = held(tolerances_).experiment();
     Calibration all;
     all.noise = fit_.noise;
     all.frames = solved(read_.experiment().arm_bench, experiment_, tracker_, frames_, effects_.columns, fit_);
@@ -129,7 +130,6 @@ class Calibrator {
     for (const Tolerance& one : beside_) all.beside.push_back(nominal_effect(read_, one));
     const UnseenTest test{read_.measurements(), frames_, effects_, values_};
     all.nominal = test.nominal(), all.least_squares = test.least_squares(), all.corrected = test.corrected();
-    Experiment calibrated = with(tolerances_).experiment();
     calibrated.arm_bench.calibration = std::make_shared<const Calibration>(std::move(all));
     return read_.of(std::move(calibrated));
   }
