@@ -2,6 +2,7 @@
 
 #include <map>
 #include <optional>
+#include <plumbline/base/error.hpp>
 
 #include "diagnose/api/example_files.hpp"
 #include "diagnose/bench/decimate.hpp"
@@ -25,9 +26,32 @@ std::string example_file(const std::string& name, const std::string&) {
 
 constexpr const char* example_folder = "docs/examples/experiment";
 
+/// The table of an arm in space; none of a bench in a plane.
+std::optional<toml::table> arm_of(const StudyFiles& files) {
+  if (files.folder.empty()) return std::nullopt;
+  const std::string settings = (files.folder / "experiment.toml").string();
+  const toml::table all = files::parse_toml(files::read_text(settings), settings);
+  const toml::table* arm = all["arm"].as_table();
+  return arm ? std::optional(*arm) : std::nullopt;
+}
+
+/// A planar model in place of the nominal chain.
 std::optional<NominalChain> model_of(const StudyFiles& files) {
-  if (files.model.empty()) return std::nullopt;
+  if (files.model.empty() || arm_of(files)) return std::nullopt;
   return exchange::read_model(files.model).chain;
+}
+
+/// A reader of the model that an arm's settings name, or of the one in place of it.
+ReadArm reader_of(const StudyFiles& files, exchange::ArmReader& arms) {
+  const std::optional<toml::table> arm = arm_of(files);
+  if (files.model.empty() || !arm) return arms.read();
+  if (!(*arm)["model"].is_string())
+    throw Error(files.model.string(), "a model of an arm whose joints experiment.toml tells",
+                "an experiment whose arm.model names a file");
+  return [read = arms.read(), model = files.model.string()](const std::string&, const std::string& base,
+                                                            const std::string& tip) {
+    return read(model, base, tip);
+  };
 }
 
 /// The runs of one state.
@@ -47,9 +71,8 @@ std::vector<std::filesystem::path> StudyFiles::all() const {
 
 std::filesystem::path StudyFiles::nominal_model() const {
   if (!model.empty() || folder.empty()) return model;
-  const std::string settings = (folder / "experiment.toml").string();
-  const toml::table table = files::parse_toml(files::read_text(settings), settings);
-  const auto file = table["arm"]["model"].value<std::string>();
+  const std::optional<toml::table> arm = arm_of(*this);
+  const auto file = arm ? (*arm)["model"].value<std::string>() : std::nullopt;
   return file ? folder / *file : std::filesystem::path();
 }
 
@@ -58,8 +81,9 @@ Experiment experiment_of(const StudyFiles& files) {
   const NominalChain* const nominal = model ? &*model : nullptr;
   if (files.folder.empty()) return read_experiment(example_folder, example_file, nominal);
   exchange::ArmReader arms;
-  return arms.with_effects(files.state.empty() ? read_experiment(files.folder, nominal, arms.read())
-                                               : state_of(files, nominal, arms.read()));
+  return arms.with_effects(files.state.empty()
+                               ? read_experiment(files.folder, nominal, reader_of(files, arms))
+                               : state_of(files, nominal, reader_of(files, arms)));
 }
 
 Experiment bench_of(const StudyFiles& files) {
@@ -67,7 +91,7 @@ Experiment bench_of(const StudyFiles& files) {
   const NominalChain* const nominal = model ? &*model : nullptr;
   if (files.folder.empty()) return read_plan(example_folder, example_file, nominal);
   exchange::ArmReader arms;
-  return arms.with_effects(read_plan(files.folder, nominal, arms.read()));
+  return arms.with_effects(read_plan(files.folder, nominal, reader_of(files, arms)));
 }
 
 Study study_of(const Experiment& experiment, const std::filesystem::path& effects) {

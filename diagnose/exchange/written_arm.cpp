@@ -120,12 +120,15 @@ std::vector<Carried> take_out_others(Experiment& experiment) {
 
 Written written_arm(const Model& model, Format format) {
   Experiment experiment = model.experiment;
-  const std::vector<Carried> others = take_out_others(experiment);
+  std::vector<Carried> others = take_out_others(experiment);
   const Rig rig = nominal_rig(experiment);
   diagnose::NominalArm nominal = *experiment.arm;
   nominal.arm = arm_of(experiment, rig);
   if (format == Format::toml) {
     place_as_seen(experiment.arm_bench, nominal.arm);
+    for (const NominalEffect& effect : experiment.effects)
+      if (rig_with_effects(experiment, {effect}).friction != rig_with_effects(experiment, {}).friction)
+        others.push_back({effect.label(), false, "joints of this format have no dry friction"});
     std::string text = "# " + model.title + "\n";
     for (const Carried& one : others) text += "# NOT CARRIED: " + one.effect + ": " + one.how + "\n";
     return {text + arm_toml(nominal), others};

@@ -198,16 +198,18 @@ std::vector<double> farther(std::vector<double> parameters, std::size_t p, doubl
   return parameters;
 }
 
-/// Parameters of which small amounts act otherwise than large ones, where nothing loads the joints: their
-/// play is then felt along a path of its own alone, and beside another path it shows nothing.
-std::vector<bool> felt_on_the_way(const Candidate& candidate, const Study& study) {
-  const CharacteristicScales& sizes = study.scales();
-  const bool loaded =
-      sizes.end_is_loaded || sizes.imposes_force || sizes.measures_force || sizes.nominal_weight;
+/// By parameter, whether small amounts of its effect act otherwise than large ones.
+std::vector<bool> act_when_large(const Candidate& candidate, const Study& study) {
   std::vector<bool> all;
   for (const EffectAt& at : candidate.effects)
-    all.insert(all.end(), study.ranges(at).size(), !loaded && at.effect->perturbation.large_step);
+    all.insert(all.end(), study.ranges(at).size(), at.effect->perturbation.large_step);
   return all;
+}
+
+/// Whether a typical amount would change what is read.
+bool shows(const Study& study, const std::vector<Trace>& slope, const ParameterRange& range) {
+  constexpr double rounding = 1e-6;  // sigma
+  return range.scale * study.in_sigmas(slope).norm() > rounding;
 }
 
 }  // namespace
@@ -224,9 +226,10 @@ Prediction predict(const Study& study, const Candidate& candidate, const std::ve
     variations.push_back({rig_with(study, candidate, farther(parameters, p, step)), step});
   }
   Prediction here = simulate(experiment, rig, variations);
-  const std::vector<bool> on_the_way = felt_on_the_way(candidate, study);
+  // Play of a joint that nothing loads is felt along a path of its own, and shows nothing beside another one.
+  const std::vector<bool> when_large = act_when_large(candidate, study);
   for (std::size_t p = 0; p < ranges.size() && here.reached; ++p) {
-    if (!on_the_way[p]) continue;
+    if (!when_large[p] || shows(study, here.sensitivity[p], ranges[p])) continue;
     const double step = path_share * ranges[p].scale;
     const Prediction there =
         simulate(experiment, rig_with(study, candidate, farther(parameters, p, step)), {});

@@ -143,7 +143,7 @@ Torque ArmTraveller::torque_beside_spring(std::size_t joint, double q) const {
   Torque torque = history_torque(step, joint, q, contacts_of(joint));
   if (law(joint).stated.empty()) return torque;
   const Torque motion = direction_of_motion(step, joint, q, contacts_of(joint));
-  const StatedTorque::Place place = stated_place(step, joint, q, load_.head<2>());
+  const StatedTorque::Place place = stated_place(step, joint, q, load_);
   for (const StatedTorque& one : law(joint).stated)
     torque += {one.value(place, motion.value), one.slope(place, motion)};
   return torque;
@@ -356,6 +356,8 @@ void ArmTraveller::write(Eigen::Ref<Eigen::ArrayXd> row, const std::vector<Eigen
     row(Channel(Channel::Name::q, i).column) =
         coordinate_(joint_[i]) - rig().encoder[i].off(joints_.on().command[i]);
   }
+  row(column_Fx) = load_.x();
+  row(column_Fy) = load_.y();
   std::vector<Pose<double>> seen;
   for (std::size_t p = 0; p < own.points.size(); ++p) {
     seen.push_back(camera * of(own.points[p], tipped));

@@ -156,7 +156,7 @@ template <int Bandwidth>
 template <bool derivatives>
 void RigModel<Bandwidth>::add_stated(std::size_t joint, double q, const Vector2& force, At& at) const {
   const Torque motion = direction_of_motion(*step_, joint, q, contact_->data() + layout_.contact(joint, 0));
-  const StatedTorque::Place place = stated_place(*step_, joint, q, force);
+  const StatedTorque::Place place = stated_place(*step_, joint, q, {force.x(), force.y(), 0});
   for (const StatedTorque& one : step_->run.joint[joint].stated) {
     const double value = one.value(place, motion.value);
     if constexpr (!derivatives) {

@@ -134,7 +134,8 @@ Torque direction_of_motion(const RigStep& step, std::size_t joint, double q, con
   return law.dry(law.slider[s], last.slider[s], q, last, contact[s]);
 }
 
-StatedTorque::Place stated_place(const RigStep& step, std::size_t joint, double q, const Vector2& force) {
+StatedTorque::Place stated_place(const RigStep& step, std::size_t joint, double q,
+                                 const Vector3<double>& force) {
   const JointLaw& law = step.run.joint[joint];
   return {q, q - law.rest, step.interval.end, law.stiffness, force, step.interval.covariates};
 }

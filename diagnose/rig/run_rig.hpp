@@ -84,7 +84,8 @@ inline Torque history_torque(const RigStep& step, std::size_t joint, double q, c
 Torque direction_of_motion(const RigStep& step, std::size_t joint, double q, const Contact* contact);
 /// The variables of user effects at a joint.
 /// \param force  on the end point
-StatedTorque::Place stated_place(const RigStep& step, std::size_t joint, double q, const Vector2& force);
+StatedTorque::Place stated_place(const RigStep& step, std::size_t joint, double q,
+                                 const Vector3<double>& force);
 
 /// Brings the memory of a joint to the angle at which it has arrived.
 void remember(const RunRig& run, const TimeStep& during, std::size_t joint, double q, const Contact* contact,

@@ -28,8 +28,8 @@ StatedTorque::Place pushed(StatedTorque::Place at, Eigen::Index axis, double by)
 
 double StatedTorque::towards(const Place& at, double direction) const {
   constexpr std::size_t count = torque_variables.size();
-  std::array<double, count + most_covariates> values{at.q, at.d,         direction,   at.t,
-                                                     at.k, at.force.x(), at.force.y()};
+  std::array<double, count + most_covariates> values{at.q, at.d,         direction,    at.t,
+                                                     at.k, at.force.x(), at.force.y(), at.force.z()};
   std::copy(at.covariates.begin(), at.covariates.end(), values.begin() + count);
   return formula->at(std::span(values).first(count + at.covariates.size()), parameters);
 }

@@ -18,9 +18,9 @@ namespace plumbline::diagnose {
 struct Torque;
 
 /// The variables of a torque: joint angle, deflection from rest, direction of motion, time of the reading,
-/// the joint's stiffness, true force on the end point. The covariates of the experiment follow, then the
-/// parameters.
-inline constexpr std::array<const char*, 7> torque_variables{"q", "d", "s", "t", "k", "Fx", "Fy"};
+/// the joint's stiffness, true force on the end point, of which a plane has no z. The covariates of the
+/// experiment follow, then the parameters.
+inline constexpr std::array<const char*, 8> torque_variables{"q", "d", "s", "t", "k", "Fx", "Fy", "Fz"};
 
 /// A torque of one joint, N m: positive where it resists a positive deflection, as k d does.
 struct StatedTorque {
@@ -32,14 +32,14 @@ struct StatedTorque {
   /// The values of the variables at a joint.
   struct Place {
     double q, d, t, k;
-    Eigen::Vector2d force;
+    Eigen::Vector3d force;
     std::span<const double> covariates = {};
   };
   [[nodiscard]] bool directed() const { return formula->uses("s"); }
   /// \param motion  direction of the joint's motion: 1 or -1, or a value between them while the joint sticks,
   ///                where the torque is interpolated between the two directions
   [[nodiscard]] double value(const Place& at, double motion) const;
-  /// Its derivatives by the joint angle and by the force.
+  /// Its derivatives by the joint angle and, in the plane, by the force.
   [[nodiscard]] double slope(const Place& at, const Torque& motion) const;
   [[nodiscard]] Eigen::Vector2d by_force(const Place& at, double motion) const;
 

@@ -55,16 +55,18 @@ void require_torque(const StatedEffect& stated, const Study& study, const TriedV
     const Run& run = experiment.runs[r];
     const Trace& trace = study.nominal().runs[r];
     for (Eigen::Index row = 0; row < trace.rows(); ++row) {
+      const Reading& reading = run.readings[static_cast<std::size_t>(row)];
       for (std::size_t i = 0; i < run.rest.size(); ++i) {
         const double q = trace(row, column_q + static_cast<Eigen::Index>(i));
         if (!std::isfinite(q)) continue;
         const StatedTorque torque{i, stated.torque, trial.parameters};
-        const StatedTorque::Place at{q,
-                                     q - run.rest_at(run.readings[static_cast<std::size_t>(row)])[i],
-                                     run.readings[static_cast<std::size_t>(row)].t,
-                                     experiment.joint_stiffness[i],
-                                     {trace(row, column_Fx), trace(row, column_Fy)},
-                                     run.readings[static_cast<std::size_t>(row)].covariates};
+        const StatedTorque::Place at{
+            q,
+            q - run.rest_at(reading)[i],
+            reading.t,
+            experiment.joint_stiffness[i],
+            {trace(row, column_Fx), trace(row, column_Fy), reading.wrench_force().z()},
+            reading.covariates};
         for (const double direction : {1.0, -1.0})
           require(torque.value(at, direction), trial, stated, "torque",
                   fmt::format("in joint {} at reading {} of {}", i + 1, row, run.id));
@@ -80,7 +82,7 @@ void require_reading(const StatedEffect& stated, const StatedReading& one, const
   for (const Channel& channel : run.measured()) {
     if (!correction.applies_to(channel)) continue;
     for (Eigen::Index row = 0; row < trace.rows(); ++row) {
-      if (!trace.row(row).isFinite().all()) continue;
+      if (!std::isfinite(trace(row, channel.column))) continue;
       const Reading& reading = run.readings[static_cast<std::size_t>(row)];
       for (const double direction : {1.0, -1.0}) {
         const Moment moment{reading.t, run.number, direction, run.rest_at(reading)[channel.joint],

@@ -311,3 +311,10 @@ TEST_CASE("a tool yields to its weight and load, and a loose one drops to whiche
       CHECK(std::abs(drop(about_one_axis, {side * b, 0, 0}, r)) < 1e-12);  // no moment about it
     }
 }
+
+TEST_CASE("play shows in a joint that nothing loads, on an arm that carries weight") {
+  const Study study(arm_bench(industrial_arm(), 8, {.angles = true}));  // its first axis is vertical
+  const Prediction played = predict(study, {{EffectAt("backlash", 1)}}, {1e-3}, true);
+  REQUIRE(played.reached);
+  CHECK(study.in_sigmas(played.sensitivity[0]).norm() > 1);
+}
