@@ -409,7 +409,7 @@ TEST_CASE("invalid input is refused in one line: place, found, expected") {
   CHECK(
       complaint(of_a("a * d_2")) ==
       "effects.toml:6: effect[1].torque: found the unknown name \"d_2\" in \"a * d_2\", expected q, d, s, t, "
-      "k, Fx, Fy, a and functions such as sin");
+      "k, Fx, Fy, Fz, a and functions such as sin");
   const std::vector<std::pair<std::string, std::vector<std::string>>> wrong{
       {of_a("a * d +"), {"effects.toml:6: effect[1].torque", "\"a * d +\"", "expected an expression"}},
       {of_a("a * (d"), {"torque", "arenthes"}},
