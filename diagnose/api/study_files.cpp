@@ -26,10 +26,10 @@ std::string example_file(const std::string& name, const std::string&) {
 
 constexpr const char* example_folder = "docs/examples/experiment";
 
-/// The table of an arm in space; none of a bench in a plane.
+/// The table of an arm in space; none of a bench in a plane, or where there is none.
 std::optional<toml::table> arm_of(const StudyFiles& files) {
-  if (files.folder.empty()) return std::nullopt;
   const std::string settings = (files.folder / "experiment.toml").string();
+  if (files.folder.empty() || !std::filesystem::exists(settings)) return std::nullopt;
   const toml::table all = files::parse_toml(files::read_text(settings), settings);
   const toml::table* arm = all["arm"].as_table();
   return arm ? std::optional(*arm) : std::nullopt;
