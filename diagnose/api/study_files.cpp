@@ -43,8 +43,9 @@ std::optional<NominalChain> model_of(const StudyFiles& files) {
 
 /// A reader of the model that an arm's settings name, or of the one in place of it.
 ReadArm reader_of(const StudyFiles& files, exchange::ArmReader& arms) {
+  if (files.model.empty()) return arms.read();
   const std::optional<toml::table> arm = arm_of(files);
-  if (files.model.empty() || !arm) return arms.read();
+  if (!arm) return arms.read();
   if (!(*arm)["model"].is_string())
     throw Error(files.model.string(), "a model of an arm whose joints experiment.toml tells",
                 "an experiment whose arm.model names a file");

@@ -90,7 +90,7 @@ class Drafter {
     static constexpr std::array kinds{Kind::time, Kind::x, Kind::y, Kind::force_x, Kind::force_y};
     return kinds[single];
   }
-  static auto channel(std::size_t single) { return single_channels(Device::chain)[single].name; }
+  static const std::string& channel(std::size_t c) { return single_channels(Device::chain)[c].name; }
 
   void take(std::size_t single, Kind kind, const std::string& reason, bool doubtful = false) {
     std::optional<std::size_t> column = column_of(kind, false);

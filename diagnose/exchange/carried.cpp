@@ -10,7 +10,6 @@
 #include "diagnose/rig/nominal.hpp"
 
 namespace plumbline::exchange {
-namespace {
 
 using diagnose::NominalEffect, diagnose::Rig, diagnose::Vector2;
 
@@ -21,6 +20,8 @@ Rig rig_with(const Model& model, const std::vector<NominalEffect>& effects) {
   part.run_count = part.runs.size();
   return diagnose::nominal_rig(part);
 }
+
+namespace {
 
 bool plays(const Rig& rig) {
   return std::any_of(rig.backlash.begin(), rig.backlash.end(), [](double b) { return b > 0; });

@@ -9,6 +9,9 @@
 
 namespace plumbline::exchange {
 
+/// The model with these effects in place of its own, and without a law.
+diagnose::Rig rig_with(const Model& model, const std::vector<diagnose::NominalEffect>& effects);
+
 /// Whether it is an effect of the catalogue, not one that the user stated.
 bool of_catalogue(const diagnose::NominalEffect& effect);
 

@@ -24,8 +24,9 @@ EditedChain::EditedChain(const Model& model, ReadModel read, Format format, cons
   bare.experiment.laws.clear();
   before_ = carried_tree(bare, what_is_carried(bare, format), means);
   effects_ = what_is_carried(model, format);
+  const diagnose::Rig plain = rig_with(model, {});
   for (std::size_t e = bare.experiment.effects.size(); e < model.experiment.effects.size(); ++e)
-    if (model.experiment.effects[e].id == "link_centre")
+    if (effects_[e].carried && rig_with(model, {model.experiment.effects[e]}).centre != plain.centre)
       effects_[e].carried = false, effects_[e].how = "links of this file keep their centres of mass";
   after_ = carried_tree(model, effects_, means);
   if (weighs_otherwise() && !(gravity() > 0)) {

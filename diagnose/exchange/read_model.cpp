@@ -41,7 +41,11 @@ PlanarChain chain_in(ReadModel model, const std::string& file, const std::vector
     read.notes.push_back("corrected by " + one.label());
   // Where a row has the dry friction, it has that of all joints.
   if (has_friction(read.chain, file))
-    std::erase_if(in_place, [](const auto& one) { return one.id != "link_centre"; });
+    std::erase_if(in_place, [&](const diagnose::NominalEffect& one) {
+      diagnose::NominalChain alone = read.chain;
+      alone.effects = {one};
+      return has_friction(alone, file);
+    });
   read.chain.effects.insert(read.chain.effects.begin(), in_place.begin(), in_place.end());
   return read;
 }

@@ -126,8 +126,9 @@ Written written_arm(const Model& model, Format format) {
   nominal.arm = arm_of(experiment, rig);
   if (format == Format::toml) {
     place_as_seen(experiment.arm_bench, nominal.arm);
+    const std::vector<double> without = rig_with_effects(experiment, {}).friction;
     for (const NominalEffect& effect : experiment.effects)
-      if (rig_with_effects(experiment, {effect}).friction != rig_with_effects(experiment, {}).friction)
+      if (rig_with_effects(experiment, {effect}).friction != without)
         others.push_back({effect.label(), false, "joints of this format have no dry friction"});
     std::string text = "# " + model.title + "\n";
     for (const Carried& one : others) text += "# NOT CARRIED: " + one.effect + ": " + one.how + "\n";
